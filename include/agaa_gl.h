@@ -37,8 +37,8 @@ typedef struct AgaaGlRequirements {
     const char* const* requiredExtensions;
     const char* const* optionalExtensions;
 } AgaaGlRequirements;
-#define AGAA_GL_REQUIREMENTS_INIT                                                                   \
-    {AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS, (uint32_t)sizeof(AgaaGlRequirements), NULL, 0, 0, 0, 0, 0, 0, NULL, NULL}
+#define AGAA_GL_REQUIREMENTS_INIT                                                                                      \
+    { AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS, (uint32_t)sizeof(AgaaGlRequirements), NULL, 0, 0, 0, 0, 0, 0, NULL, NULL }
 AGAA_API void AGAA_CALL agaaInitGlRequirements(AgaaGlRequirements* outRequirements, size_t structSize);
 
 /* Gets the requirements on an OpenGL context.
@@ -139,7 +139,7 @@ typedef struct AgaaGlDeviceDesc {
     uint32_t glslVersion; /* version of the host's fragment shaders, as in their #version line: 330, 400, 410, … 460 */
     uint32_t storage;     /* AgaaGlStorage */
     uint32_t outputs;     /* AgaaGlOutputs */
-    uint32_t statePolicy; /* AgaaGlStatePolicy */
+    uint32_t statePolicy;          /* AgaaGlStatePolicy */
     AgaaGlStateCallback pushState; /* required, like popState, with AGAA_GL_STATE_CALLBACKS; otherwise the SDK calls
                                       neither */
     AgaaGlStateCallback popState;
@@ -150,10 +150,12 @@ typedef struct AgaaGlDeviceDesc {
     uint32_t bindings[AGAA_GL_MAX_BINDINGS];
     uint32_t constants; /* AgaaGlConstants */
 } AgaaGlDeviceDesc;
-#define AGAA_GL_DEVICE_DESC_INIT                                                                    \
-    {AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC, (uint32_t)sizeof(AgaaGlDeviceDesc), NULL, NULL, NULL, 450,    \
-     AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL,            \
-     {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0}, AGAA_GL_CONSTANTS_BLOCK}
+#define AGAA_GL_DEVICE_DESC_INIT                                                                                       \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC, (uint32_t)sizeof(AgaaGlDeviceDesc), NULL, NULL, NULL, 450,                 \
+            AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL,                     \
+            {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0}, AGAA_GL_CONSTANTS_BLOCK                               \
+    }
 AGAA_API void AGAA_CALL agaaInitGlDeviceDesc(AgaaGlDeviceDesc* outDesc, size_t structSize);
 
 /* Compiled programs of an earlier run. Chain it to AgaaContextDesc to keep the SDK's programs in memory: views that
@@ -163,15 +165,15 @@ typedef struct AgaaGlProgramCache {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    uint64_t size;    /* bytes of data; 0: start empty */
+    uint64_t size; /* bytes of data; 0: start empty */
     /* Result of agaaGlGetProgramCache in an earlier run; may be null if size is 0. The SDK copies it during the
      * call. Data of another driver, another version of the library or another format, and damaged data, are ignored
      * with one warning to the log. Checks find accidental damage only: the driver loads the programs, so data must
      * come from a place that the host trusts. */
     const void* data;
 } AgaaGlProgramCache;
-#define AGAA_GL_PROGRAM_CACHE_INIT                                                                  \
-    {AGAA_STRUCTURE_TYPE_GL_PROGRAM_CACHE, (uint32_t)sizeof(AgaaGlProgramCache), NULL, 0, NULL}
+#define AGAA_GL_PROGRAM_CACHE_INIT                                                                                     \
+    { AGAA_STRUCTURE_TYPE_GL_PROGRAM_CACHE, (uint32_t)sizeof(AgaaGlProgramCache), NULL, 0, NULL }
 AGAA_API void AGAA_CALL agaaInitGlProgramCache(AgaaGlProgramCache* outCache, size_t structSize);
 
 /* Creates a context in the current OpenGL context. The SDK tests the driver's timer queries, which takes some
@@ -252,8 +254,8 @@ typedef struct AgaaGlDrawPass {
     uint32_t depthStencilFormat; /* internal format; 0 without a depth attachment */
     uint32_t framebuffer;        /* framebuffer of the view; complete */
 } AgaaGlDrawPass;
-#define AGAA_GL_DRAW_PASS_INIT                                                                      \
-    {AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, {0, 0, 0, 0, 0, 0, 0, 0}, 0, 0}
+#define AGAA_GL_DRAW_PASS_INIT                                                                                         \
+    { AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, {0, 0, 0, 0, 0, 0, 0, 0}, 0, 0 }
 AGAA_API void AGAA_CALL agaaInitGlDrawPass(AgaaGlDrawPass* outPass, size_t structSize);
 
 /* The objects of a surface on OpenGL. Chain it to AgaaSurface in agaaGetSurface. */
@@ -266,7 +268,8 @@ typedef struct AgaaGlSurface {
     uint32_t format;  /* internal format; 0 for buffers */
     uint32_t reserved;
 } AgaaGlSurface;
-#define AGAA_GL_SURFACE_INIT {AGAA_STRUCTURE_TYPE_GL_SURFACE, (uint32_t)sizeof(AgaaGlSurface), NULL, 0, 0, 0, 0}
+#define AGAA_GL_SURFACE_INIT                                                                                           \
+    { AGAA_STRUCTURE_TYPE_GL_SURFACE, (uint32_t)sizeof(AgaaGlSurface), NULL, 0, 0, 0, 0 }
 AGAA_API void AGAA_CALL agaaInitGlSurface(AgaaGlSurface* outSurface, size_t structSize);
 
 /* ---- frames ------------------------------------------------------------------------------------- */
@@ -283,7 +286,8 @@ typedef struct AgaaGlFrame {
     uint32_t shadowTextures[AGAA_MAX_SHADOW_MAPS];
     uint32_t reserved; /* 0 */
 } AgaaGlFrame;
-#define AGAA_GL_FRAME_INIT {AGAA_STRUCTURE_TYPE_GL_FRAME, (uint32_t)sizeof(AgaaGlFrame), NULL, 0, {0, 0, 0, 0}, 0}
+#define AGAA_GL_FRAME_INIT                                                                                             \
+    { AGAA_STRUCTURE_TYPE_GL_FRAME, (uint32_t)sizeof(AgaaGlFrame), NULL, 0, {0, 0, 0, 0}, 0 }
 AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize);
 
 /* Runs the segments of a frame in the current context.

@@ -28,11 +28,11 @@ typedef struct AgaaVkRequirements {
     const char* const* requiredFeatures; /* members of VkPhysicalDeviceFeatures */
     uint32_t optionalFeatureCount;
     uint32_t optionalDeviceExtensionCount;
-    const char* const* optionalFeatures; /* members of the feature structs of Vulkan 1.3 or of the extensions */
+    const char* const* optionalFeatures;         /* members of the feature structs of Vulkan 1.3 or of the extensions */
     const char* const* optionalDeviceExtensions; /* enable those that the device has */
 } AgaaVkRequirements;
-#define AGAA_VK_REQUIREMENTS_INIT                                                                   \
-    {AGAA_STRUCTURE_TYPE_VK_REQUIREMENTS, (uint32_t)sizeof(AgaaVkRequirements), NULL, 0, 0, NULL, 0, 0, NULL, NULL}
+#define AGAA_VK_REQUIREMENTS_INIT                                                                                      \
+    { AGAA_STRUCTURE_TYPE_VK_REQUIREMENTS, (uint32_t)sizeof(AgaaVkRequirements), NULL, 0, 0, NULL, 0, 0, NULL, NULL }
 AGAA_API void AGAA_CALL agaaInitVkRequirements(AgaaVkRequirements* outRequirements, size_t structSize);
 
 /* Gets the requirements on a device.
@@ -104,9 +104,11 @@ typedef struct AgaaVkDeviceDesc {
      * calls. */
     uint64_t pipelineCache;
 } AgaaVkDeviceDesc;
-#define AGAA_VK_DEVICE_DESC_INIT                                                                    \
-    {AGAA_STRUCTURE_TYPE_VK_DEVICE_DESC, (uint32_t)sizeof(AgaaVkDeviceDesc), NULL, NULL, NULL, NULL, NULL, 0, 0,  \
-     AGAA_VK_RENDERING_AUTO, AGAA_VK_RECORDING_SECONDARY, NULL, 0, 0, NULL, 0}
+#define AGAA_VK_DEVICE_DESC_INIT                                                                                       \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_VK_DEVICE_DESC, (uint32_t)sizeof(AgaaVkDeviceDesc), NULL, NULL, NULL, NULL, NULL, 0, 0,    \
+            AGAA_VK_RENDERING_AUTO, AGAA_VK_RECORDING_SECONDARY, NULL, 0, 0, NULL, 0                                   \
+    }
 AGAA_API void AGAA_CALL agaaInitVkDeviceDesc(AgaaVkDeviceDesc* outDesc, size_t structSize);
 
 /* A request for device memory. */
@@ -148,8 +150,8 @@ typedef struct AgaaVkAllocator {
     AgaaVkFreeCallback free;
     void* user;
 } AgaaVkAllocator;
-#define AGAA_VK_ALLOCATOR_INIT                                                                      \
-    {AGAA_STRUCTURE_TYPE_VK_ALLOCATOR, (uint32_t)sizeof(AgaaVkAllocator), NULL, NULL, NULL, NULL}
+#define AGAA_VK_ALLOCATOR_INIT                                                                                         \
+    { AGAA_STRUCTURE_TYPE_VK_ALLOCATOR, (uint32_t)sizeof(AgaaVkAllocator), NULL, NULL, NULL, NULL }
 AGAA_API void AGAA_CALL agaaInitVkAllocator(AgaaVkAllocator* outAllocator, size_t structSize);
 
 /* Creates a context.
@@ -211,15 +213,15 @@ typedef struct AgaaVkDrawPass {
     uint32_t sType;
     uint32_t structSize;
     void* pNext;
-    uint32_t colorFormats[8];     /* VkFormat of the first AgaaDrawState::colorAttachmentCount attachments */
-    uint32_t depthStencilFormat;  /* VkFormat; UNDEFINED without a depth attachment */
+    uint32_t colorFormats[8];    /* VkFormat of the first AgaaDrawState::colorAttachmentCount attachments */
+    uint32_t depthStencilFormat; /* VkFormat; UNDEFINED without a depth attachment */
     uint32_t reserved;
     uint64_t renderPass;          /* VkRenderPass of the view, subpass 0. It is 0 with dynamic rendering, except for
                                      a pass with AgaaDrawState::readsAttachments */
     uint64_t descriptorSetLayout; /* VkDescriptorSetLayout of the SDK's set, owned by the view */
 } AgaaVkDrawPass;
-#define AGAA_VK_DRAW_PASS_INIT                                                                      \
-    {AGAA_STRUCTURE_TYPE_VK_DRAW_PASS, (uint32_t)sizeof(AgaaVkDrawPass), NULL, {0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, 0, 0}
+#define AGAA_VK_DRAW_PASS_INIT                                                                                         \
+    { AGAA_STRUCTURE_TYPE_VK_DRAW_PASS, (uint32_t)sizeof(AgaaVkDrawPass), NULL, {0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, 0, 0 }
 AGAA_API void AGAA_CALL agaaInitVkDrawPass(AgaaVkDrawPass* outPass, size_t structSize);
 
 /* The handles of a surface on Vulkan. Chain it to AgaaSurface in agaaGetSurface. */
@@ -236,8 +238,10 @@ typedef struct AgaaVkSurface {
      * MEMORY_WRITE, before the commands of the next segment. */
     uint32_t layouts[3];
 } AgaaVkSurface;
-#define AGAA_VK_SURFACE_INIT                                                                        \
-    {AGAA_STRUCTURE_TYPE_VK_SURFACE, (uint32_t)sizeof(AgaaVkSurface), NULL, 0, 0, 0, 0, {0, 0, 0}}
+#define AGAA_VK_SURFACE_INIT                                                                                           \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_VK_SURFACE, (uint32_t)sizeof(AgaaVkSurface), NULL, 0, 0, 0, 0, { 0, 0, 0 }                 \
+    }
 AGAA_API void AGAA_CALL agaaInitVkSurface(AgaaVkSurface* outSurface, size_t structSize);
 
 /* ---- recording --------------------------------------------------------------------------------- */
@@ -262,8 +266,8 @@ typedef struct AgaaVkFrame {
     uint64_t shadowViews[AGAA_MAX_SHADOW_MAPS];
     uint64_t functionSet; /* VkDescriptorSet for the functions of the host (agaa/functions.h), or 0 */
 } AgaaVkFrame;
-#define AGAA_VK_FRAME_INIT                                                                          \
-    {AGAA_STRUCTURE_TYPE_VK_FRAME, (uint32_t)sizeof(AgaaVkFrame), NULL, NULL, 0, 0, 0, 1, {0, 0, 0, 0}, 0}
+#define AGAA_VK_FRAME_INIT                                                                                             \
+    { AGAA_STRUCTURE_TYPE_VK_FRAME, (uint32_t)sizeof(AgaaVkFrame), NULL, NULL, 0, 0, 0, 1, {0, 0, 0, 0}, 0 }
 AGAA_API void AGAA_CALL agaaInitVkFrame(AgaaVkFrame* outFrame, size_t structSize);
 
 /* Records the segments of a frame into the host's command buffer. Afterwards the bound pipelines, descriptor sets

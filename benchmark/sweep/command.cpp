@@ -160,9 +160,8 @@ private:
         renderer->load(scene);
         const std::string name = task.name();
         const std::vector<SweepRow> rows = task.isPlain ? namedSweepRows({"agaa-8-2"}) : rows_;
-        SceneSweep sweep(*renderer, scene, settings, options(task), rows, references_,
-                         out_ / "images", task.backend + "-" + name,
-                         [&](const std::string& step, uint32_t done, uint32_t total) {
+        SceneSweep sweep(*renderer, scene, settings, options(task), rows, references_, out_ / "images",
+                         task.backend + "-" + name, [&](const std::string& step, uint32_t done, uint32_t total) {
                              reportProgress(task, name, step, double(index) + double(done) / total);
                          });
         json result = sweep.run();
@@ -188,8 +187,7 @@ private:
 
     // done: completed tasks, with the fraction of the current one.
     void reportProgress(const Task& task, const std::string& name, const std::string& step, double done) const {
-        const double elapsed =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+        const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
         const double measured = done - double(skipped_);
         std::fprintf(stderr, "%s %s: %s", task.backend.c_str(), name.c_str(), step.c_str());
         if (measured > 0.05)
@@ -211,8 +209,8 @@ private:
 void writeReport(const fs::path& out) {
     const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
     const std::string script = (prefix / "share/agaa/report/sweep_report.py").string();
-    const std::string command = "python3 '" + script + "' '" + (out / "results.json").string() + "' '" +
-                                (out / "report.html").string() + "'";
+    const std::string command =
+        "python3 '" + script + "' '" + (out / "results.json").string() + "' '" + (out / "report.html").string() + "'";
     if (std::system(command.c_str()) != 0)
         throw std::runtime_error("The page was not written; results.json is whole. The command was: " + command);
 }

@@ -54,9 +54,17 @@ void SweepRow::apply(TechniqueConfig& config) const {
 
 std::vector<SweepRow> sweepRows(bool quick) {
     if (quick)
-        return {{"single"}, {"fxaa"}, {"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
-                {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
-                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"}, {"dcaa", 64, 4},
+        return {{"single"},
+                {"fxaa"},
+                {"msaa", 8},
+                {"ssaa", 8},
+                {"simple_complex", 8},
+                {"sbaa", 8, 2},
+                {"agaa", 8, 2},
+                {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
+                {"agaa", 8, 2, 1, AGAA_TIER_IDS},
+                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"},
+                {"dcaa", 64, 4},
                 {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}};
     std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
@@ -102,14 +110,20 @@ std::vector<SweepRow> sweepRows(bool quick) {
             rows.push_back(row);
         }
     };
-    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"simple_complex", 8}, {"agaa", 8, 2},
-                                {"agaa", 8, 2, 1, AGAA_TIER_IDS}, {"dcaa", 64, 4},
+    for (const SweepRow& row : {SweepRow{"ssaa", 8},
+                                {"simple_complex", 8},
+                                {"agaa", 8, 2},
+                                {"agaa", 8, 2, 1, AGAA_TIER_IDS},
+                                {"dcaa", 64, 4},
                                 {"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"},
                                 {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}})
         addHeavier(row, {4, 16});
-    for (const SweepRow& row : {SweepRow{"sbaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
-                                {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"}, {"simple_complex", 32},
-                                {"agaa", 32, 2}, {"agaa", 32, 2, 1, AGAA_TIER_GBUFFER},
+    for (const SweepRow& row : {SweepRow{"sbaa", 8, 2},
+                                {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
+                                {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"},
+                                {"simple_complex", 32},
+                                {"agaa", 32, 2},
+                                {"agaa", 32, 2, 1, AGAA_TIER_GBUFFER},
                                 {"agaa", 32, 2, 1, AGAA_TIER_IDS}})
         addHeavier(row, {4});
     return rows;
@@ -119,8 +133,7 @@ std::vector<SweepRow> namedSweepRows(const std::vector<std::string>& names) {
     const std::vector<SweepRow> table = sweepRows(false);
     std::vector<SweepRow> rows;
     for (const std::string& name : names) {
-        const auto row = std::find_if(table.begin(), table.end(),
-                                      [&](const SweepRow& r) { return r.name() == name; });
+        const auto row = std::find_if(table.begin(), table.end(), [&](const SweepRow& r) { return r.name() == name; });
         if (row == table.end()) {
             std::string all;
             for (const SweepRow& known : table)

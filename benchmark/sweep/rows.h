@@ -29,11 +29,11 @@ std::vector<SweepRow> namedSweepRows(const std::vector<std::string>& names);
 
 struct SweepEffect {
     const char* name;
-    uint64_t fact = 0; // the scene's fact that needs the effect
+    uint64_t fact = 0;                       // the scene's fact that needs the effect
     void (*off)(TechniqueConfig&) = nullptr; // switches it off; null: removing the fact, or the normal maps, does
-    bool ofShadows = false;    // needed by scenes with shadow maps
-    bool ofNormalMaps = false; // needed by scenes with normal maps
-    SweepRow row = {"agaa", 8, 2}; // the row that has the effect
+    bool ofShadows = false;                  // needed by scenes with shadow maps
+    bool ofNormalMaps = false;               // needed by scenes with normal maps
+    SweepRow row = {"agaa", 8, 2};           // the row that has the effect
 };
 const std::vector<SweepEffect>& sweepEffects();
 // Returns whether the scene needs the effect.

@@ -38,9 +38,12 @@ json timesJson(const std::vector<double>& milliseconds) {
     json turns = json::array();
     for (const double each : milliseconds)
         turns.push_back(std::round(each * 1e3) / 1e3);
-    return {{"median", quantile(milliseconds, 0.5)}, {"p95", quantile(milliseconds, 0.95)},
-            {"low", bounds.low},                     {"high", bounds.high},
-            {"confidence", bounds.confidence},       {"frames", milliseconds.size()},
+    return {{"median", quantile(milliseconds, 0.5)},
+            {"p95", quantile(milliseconds, 0.95)},
+            {"low", bounds.low},
+            {"high", bounds.high},
+            {"confidence", bounds.confidence},
+            {"frames", milliseconds.size()},
             {"turns", turns}};
 }
 
@@ -56,10 +59,9 @@ json temporalJson(const TemporalAccumulator& accumulator, double noise) {
 
 } // namespace
 
-SceneSweep::SceneSweep(Renderer& renderer, const Scene& scene, const RenderSettings& base,
-                       const SweepOptions& options, const std::vector<SweepRow>& rows,
-                       SceneReferences& references, std::filesystem::path images, std::string prefix,
-                       Progress progress)
+SceneSweep::SceneSweep(Renderer& renderer, const Scene& scene, const RenderSettings& base, const SweepOptions& options,
+                       const std::vector<SweepRow>& rows, SceneReferences& references, std::filesystem::path images,
+                       std::string prefix, Progress progress)
     : renderer_(renderer), scene_(scene), base_(base), options_(options), images_(std::move(images)),
       prefix_(std::move(prefix)), progress_(std::move(progress)), references_(references) {
     base_.frames = 1;
@@ -108,8 +110,7 @@ json SceneSweep::run() {
             {"lights", base_.lights.size()},
             {"stresses", scene_.stresses},
             {"pixelsPerDegree", Metrics{}.pixelsPerDegree},
-            {"reference",
-             {{"spp", options_.referenceSamples}, {"splitHalfMseTm", reference_->splitHalfMseTm}}},
+            {"reference", {{"spp", options_.referenceSamples}, {"splitHalfMseTm", reference_->splitHalfMseTm}}},
             {"referenceImage", writeImage("reference", reference_->image)},
             {"rows", rows},
             {"ablation", effects}};
@@ -292,9 +293,14 @@ json SceneSweep::ablation() {
         if (effect.ofNormalMaps && calledFor)
             renderer_.load(scene_);
         const auto side = [&](int which) { return json{{"frameMs", timesJson(ms[which])}, {"mseTm", error[which]}}; };
-        list.push_back({{"effect", effect.name}, {"n", effect.row.samples}, {"c", effect.row.aggregates},
-                        {"preset", effect.row.preset}, {"tier", agaaTierName(effect.row.generationTier)},
-                        {"calledFor", calledFor}, {"on", side(0)}, {"off", side(1)}});
+        list.push_back({{"effect", effect.name},
+                        {"n", effect.row.samples},
+                        {"c", effect.row.aggregates},
+                        {"preset", effect.row.preset},
+                        {"tier", agaaTierName(effect.row.generationTier)},
+                        {"calledFor", calledFor},
+                        {"on", side(0)},
+                        {"off", side(1)}});
     }
     return list;
 }
@@ -319,7 +325,8 @@ json SceneSweep::rowJson(const Measured& m) const {
         for (const AgaaFrameStatistics& frame : m.timed)
             values.push_back(frame.passes[i].milliseconds);
         const char* stage = agaaStageName(first.passes[i].stage);
-        passes.push_back({{"name", first.passes[i].name}, {"stage", stage},
+        passes.push_back({{"name", first.passes[i].name},
+                          {"stage", stage},
                           {"ms", first.passes[i].isTimed ? timesJson(values) : json()}});
         stages[stage] += quantile(values, 0.5);
     }
@@ -341,8 +348,7 @@ json SceneSweep::rowJson(const Measured& m) const {
             {"bytesPerPixel", m.still.memory.bytesPerPixel},
             {"peakBytesPerPixel", double(m.still.memory.peakBytes) / pixels},
             {"eventsPerPixel", double(c.shadingEvents) / pixels},
-            {"eventsPerCoveredPixel",
-             c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0},
+            {"eventsPerCoveredPixel", c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0},
             {"shadowTapsPerPixel", double(c.shadowTaps) / pixels},
             {"aggregatesPerPixel", double(c.aggregates) / pixels},
             {"primitivesPerPixel", double(c.primitives) / pixels},

@@ -20,13 +20,13 @@ struct SweepOptions {
     uint32_t untimedFrames = 0; // frames before each frame of a turn
     uint32_t timedRounds = 7;   // turns with pass times
     uint32_t heavierTimedRounds = 2; // the turns with pass times that include the rows of heavier lighting
-    uint32_t effectRounds = 4;  // frames with an effect, and as many without it
-    bool effectsOfRows = false; // measure only the effects of the measured rows
-    bool ablation = true;       // measure effects at all
-    uint32_t pathFrames = 3;    // frames of the camera path
-    uint32_t pathSamples = 8;   // rows with more samples leave the path out
+    uint32_t effectRounds = 4;       // frames with an effect, and as many without it
+    bool effectsOfRows = false;      // measure only the effects of the measured rows
+    bool ablation = true;            // measure effects at all
+    uint32_t pathFrames = 3;         // frames of the camera path
+    uint32_t pathSamples = 8;        // rows with more samples leave the path out
     uint32_t referenceSamples = 512;
-    uint32_t jpegQuality = 0;   // of images, [1, 100]; 0: PNG
+    uint32_t jpegQuality = 0;      // of images, [1, 100]; 0: PNG
     uint32_t temporalSamples = 32; // of the references of shifts and of the path; 0: no errors over time
 };
 // Returns the options of a sweep.
@@ -48,7 +48,7 @@ public:
                const std::vector<SweepRow>& rows, SceneReferences& references, std::filesystem::path images,
                std::string prefix, Progress progress);
 
-    nlohmann::json run(); // without the scene's name
+    nlohmann::json run();        // without the scene's name
     uint32_t timeSource() const; // AgaaTimeSource of the passes; valid after run()
 
 private:
@@ -72,7 +72,7 @@ private:
                   const std::function<void(Measured&, RenderResult&)>& keep);
     void measureErrors();
     void measureErrors(Measured& row); // requires the images of sameSamples()
-    void measureFrames(); // measures frame times, and errors over sub-pixel shifts
+    void measureFrames();              // measures frame times, and errors over sub-pixel shifts
     void measurePasses();
     void measurePath();
     // Returns the reference for the camera and jitter of base_. kind: "shift" or "path".

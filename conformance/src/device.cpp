@@ -7,7 +7,8 @@ ScopedContext::ScopedContext(Test& test, const std::function<void(ContextDescrip
     description.desc.log = log.get();
     if (change)
         change(description);
-    test.requireOk(test.device().createContext(test.sdk, AGAA_HEADER_VERSION, description, &context_), "creating a context");
+    test.requireOk(test.device().createContext(test.sdk, AGAA_HEADER_VERSION, description, &context_),
+                   "creating a context");
     log.lines.clear();
 }
 
@@ -92,7 +93,8 @@ BareView::~BareView() {
     test_.sdk.agaaDestroyView(view_);
 }
 
-ScopedView::ScopedView(Test& test, AgaaContext context, const ViewDescription& description) : BareView(test, context, description) {
+ScopedView::ScopedView(Test& test, AgaaContext context, const ViewDescription& description)
+    : BareView(test, context, description) {
     test.device().setOutput(description.desc.width, description.desc.height);
     test.device().prepare(test.sdk, get());
 }

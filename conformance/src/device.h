@@ -21,11 +21,11 @@ struct Mistakes {
     std::function<void(float* projection)> changeProjection;
     // Changes the state of the pass (AgaaDrawPassId) to the state of the pipelines.
     std::function<void(uint32_t pass, AgaaDrawState&)> changeState;
-    bool blends = false;          // alpha blending (SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ADD) is on in all passes
-    bool keysByPass = false;      // the keys of pipelines are AgaaDrawPassId instead of pipelineKey; all views share
-                                  // them
-    bool keepsFirstSet = false;   // Vulkan: always binds the descriptor set of the first frame of the first view
-    bool forgetsBarrier = false;  // Vulkan: copies the vertices in the same command buffer without a barrier
+    bool blends = false;         // alpha blending (SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ADD) is on in all passes
+    bool keysByPass = false;     // the keys of pipelines are AgaaDrawPassId instead of pipelineKey; all views share
+                                 // them
+    bool keepsFirstSet = false;  // Vulkan: always binds the descriptor set of the first frame of the first view
+    bool forgetsBarrier = false; // Vulkan: copies the vertices in the same command buffer without a barrier
 };
 
 class Device {
@@ -121,9 +121,9 @@ AgaaFetchFunction emptyFetch();
 // Returns n of a technique that corresponds to `samples` of "ssaa": 1 for "single" and "fxaa", 16 times as many
 // coverage samples for "dcaa".
 uint32_t samplesOf(const std::string& technique, uint32_t samples);
-bool needsOneSample(const std::string& technique);       // true for "single" and "fxaa"
-bool countsCoverage(const AgaaConfig& config); // n counts coverage samples, and targets have one sample
-bool hasCoverageSamples(const std::string& technique);   // true for "dcaa", which needs an AgaaFetchFunction
+bool needsOneSample(const std::string& technique);     // true for "single" and "fxaa"
+bool countsCoverage(const AgaaConfig& config);         // n counts coverage samples, and targets have one sample
+bool hasCoverageSamples(const std::string& technique); // true for "dcaa", which needs an AgaaFetchFunction
 
 // Config, facts and description of a view of 32 x 24 pixels: "agaa" with n = 4, counters, no shadows, ambient light.
 // Tests change it before they create the view.
@@ -135,7 +135,7 @@ struct ViewDescription {
     // once.
     void setTechnique(const std::string& name, uint32_t samples);
     std::string technique; // set by setTechnique()
-    AgaaLayout layout; // "precise"
+    AgaaLayout layout;     // "precise"
     AgaaConfig config;
     AgaaAggregation aggregation;    // chained to config
     AgaaDecoupledCoverage coverage; // chained to aggregation

@@ -21,8 +21,9 @@ Ready prepare(const AgaaConformanceRun* run) {
 
 int32_t runAll(const Suite& suite, Backend backend, const AgaaConformanceRun& run, const Functions& functions) {
     const auto onOutcome = [&](const Outcome& outcome) {
-        const AgaaConformanceResult result = {outcome.name.c_str(),   backendName(backend), outcome.reason.c_str(),
-                                              uint32_t(outcome.status), 0,                    outcome.milliseconds};
+        const AgaaConformanceResult result = {
+            outcome.name.c_str(), backendName(backend), outcome.reason.c_str(), uint32_t(outcome.status), 0,
+            outcome.milliseconds};
         if (run.onResult)
             run.onResult(run.resultUser, &result);
     };

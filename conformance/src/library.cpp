@@ -18,9 +18,9 @@ Functions findFunctions(AgaaConformanceGetFunction getFunction, void* user, std:
     if (!getFunction)
         getFunction = findInProgram;
     Functions found;
-#define AGAA_FUNCTION(name)                                                            \
-    found.name = reinterpret_cast<decltype(found.name)>(getFunction(user, #name));     \
-    if (!found.name)                                                                   \
+#define AGAA_FUNCTION(name)                                                                                            \
+    found.name = reinterpret_cast<decltype(found.name)>(getFunction(user, #name));                                     \
+    if (!found.name)                                                                                                   \
         missing.push_back(#name);
 #include "functions.inc"
     return found;

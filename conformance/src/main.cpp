@@ -53,7 +53,8 @@ std::ofstream open(const std::string& path) {
 }
 
 // Skips every test of a backend without a device.
-std::vector<Outcome> skipAll(const Suite& suite, Backend backend, const std::string& filter, const std::string& reason) {
+std::vector<Outcome> skipAll(const Suite& suite, Backend backend, const std::string& filter,
+                             const std::string& reason) {
     return runSuite(
         [&] {
             Suite skipped;
@@ -85,7 +86,8 @@ int runTests(const Suite& suite, const Arguments& arguments) {
 
     const auto onOutcome = [&](const Outcome& outcome) { print(outcome, arguments.verbose); };
     for (const Backend backend : {Backend::Core, Backend::Vulkan, Backend::OpenGl}) {
-        if (std::find(arguments.backends.begin(), arguments.backends.end(), backendName(backend)) == arguments.backends.end())
+        if (std::find(arguments.backends.begin(), arguments.backends.end(), backendName(backend)) ==
+            arguments.backends.end())
             continue;
         std::unique_ptr<Device> device;
         std::vector<Outcome> outcomes;
@@ -127,7 +129,8 @@ int runTests(const Suite& suite, const Arguments& arguments) {
 int main(int argc, char** argv) {
     using namespace agaa::conformance;
     Arguments arguments;
-    CLI::App app{"Tests what the headers of the AGAA SDK promise. Exit status: 0 if nothing failed, 1 if a test failed, 2 if the "
+    CLI::App app{"Tests what the headers of the AGAA SDK promise. Exit status: 0 if nothing failed, 1 if a test "
+                 "failed, 2 if the "
                  "tests cannot run."};
     app.name("agaa-conformance");
     app.add_option("library", arguments.library, "The library, libagaa.so of this soname")->capture_default_str();

@@ -9,14 +9,18 @@
 namespace agaa::conformance {
 
 size_t Report::count(AgaaConformanceStatus status) const {
-    return size_t(std::count_if(outcomes.begin(), outcomes.end(), [&](const Outcome& o) { return o.status == status; }));
+    return size_t(
+        std::count_if(outcomes.begin(), outcomes.end(), [&](const Outcome& o) { return o.status == status; }));
 }
 
 const char* statusName(AgaaConformanceStatus status) {
     switch (status) {
-    case AGAA_CONFORMANCE_PASSED: return "passed";
-    case AGAA_CONFORMANCE_FAILED: return "failed";
-    default: return "skipped";
+    case AGAA_CONFORMANCE_PASSED:
+        return "passed";
+    case AGAA_CONFORMANCE_FAILED:
+        return "failed";
+    default:
+        return "skipped";
     }
 }
 
@@ -28,7 +32,8 @@ std::string versionText(uint32_t version) {
 void writeJson(std::ostream& out, const Report& report) {
     nlohmann::ordered_json devices = nlohmann::ordered_json::array(), results = nlohmann::ordered_json::array();
     for (const Report::DeviceRow& device : report.devices)
-        devices.push_back({{"backend", backendName(device.backend)}, {"device", device.name}, {"driver", device.driver}});
+        devices.push_back(
+            {{"backend", backendName(device.backend)}, {"device", device.name}, {"driver", device.driver}});
     for (const Outcome& o : report.outcomes)
         results.push_back({{"name", o.name},
                            {"backend", backendName(o.backend)},
@@ -87,11 +92,11 @@ void writeJunit(std::ostream& out, const Report& report) {
             }
         if (rows.empty())
             continue;
-        out << "  <testsuite name=\"" << backendName(backend) << "\" tests=\"" << rows.size() << "\" failures=\"" << failed
-            << "\" errors=\"0\" skipped=\"" << skipped << "\" time=\"" << seconds << "\">\n";
+        out << "  <testsuite name=\"" << backendName(backend) << "\" tests=\"" << rows.size() << "\" failures=\""
+            << failed << "\" errors=\"0\" skipped=\"" << skipped << "\" time=\"" << seconds << "\">\n";
         for (const Outcome* o : rows) {
-            out << "    <testcase classname=\"" << backendName(backend) << "\" name=\"" << escaped(o->name) << "\" time=\""
-                << o->milliseconds / 1000 << '"';
+            out << "    <testcase classname=\"" << backendName(backend) << "\" name=\"" << escaped(o->name)
+                << "\" time=\"" << o->milliseconds / 1000 << '"';
             if (o->status == AGAA_CONFORMANCE_PASSED)
                 out << "/>\n";
             else

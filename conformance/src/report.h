@@ -8,7 +8,7 @@
 namespace agaa::conformance {
 
 struct Report {
-    std::string library; // path of the library
+    std::string library;  // path of the library
     uint32_t version = 0; // version of the library, as from agaaGetVersion
     struct DeviceRow {
         Backend backend;

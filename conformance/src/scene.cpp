@@ -20,11 +20,13 @@ void addRectangle(Scene& scene, uint32_t width, uint32_t height, float x0, float
         v.isMasked = surface.isMasked ? 1 : 0;
         return v;
     };
-    for (const Vertex& v : {vertex(x0, y0), vertex(x1, y0), vertex(x1, y1), vertex(x0, y0), vertex(x1, y1), vertex(x0, y1)})
+    for (const Vertex& v :
+         {vertex(x0, y0), vertex(x1, y0), vertex(x1, y1), vertex(x0, y0), vertex(x1, y1), vertex(x0, y1)})
         scene.push_back(v);
 }
 
-void setPixelCamera(AgaaFrame& frame, uint32_t width, uint32_t height, float farthest, bool isReversed, bool fromMinusOne) {
+void setPixelCamera(AgaaFrame& frame, uint32_t width, uint32_t height, float farthest, bool isReversed,
+                    bool fromMinusOne) {
     float* p = frame.projection;
     std::fill(p, p + 16, 0.0f);
     p[0] = 2.0f / float(width);

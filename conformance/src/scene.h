@@ -8,7 +8,7 @@
 
 namespace agaa::conformance {
 
-struct Vertex { // fetchShader() reads it as words
+struct Vertex {        // fetchShader() reads it as words
     float position[3]; // in shading space
     float normal[3];
     float diffuse[4]; // alpha is the fourth component
@@ -35,6 +35,7 @@ void addRectangle(Scene& scene, uint32_t width, uint32_t height, float x0, float
 
 // Sets a column-major projection. Row 0 of the output is y0 = 0 of addRectangle. Depths in (0, farthest) are mapped to
 // [0, 1], to [1, 0] with isReversed, or to [-1, 1] with fromMinusOne.
-void setPixelCamera(AgaaFrame& frame, uint32_t width, uint32_t height, float farthest, bool isReversed, bool fromMinusOne);
+void setPixelCamera(AgaaFrame& frame, uint32_t width, uint32_t height, float farthest, bool isReversed,
+                    bool fromMinusOne);
 
 } // namespace agaa::conformance

@@ -9,10 +9,14 @@ namespace agaa::conformance {
 
 const char* backendName(Backend backend) {
     switch (backend) {
-    case Backend::Core: return "core";
-    case Backend::Vulkan: return "vk";
-    case Backend::OpenGl: return "gl";
-    case Backend::Host: return "host";
+    case Backend::Core:
+        return "core";
+    case Backend::Vulkan:
+        return "vk";
+    case Backend::OpenGl:
+        return "gl";
+    case Backend::Host:
+        return "host";
     }
     return "";
 }
@@ -86,8 +90,8 @@ bool matches(const std::string& name, const std::string& filter) {
     return minus == std::string::npos || !matchesAny(name, filter.substr(minus + 1));
 }
 
-Outcome runCase(const std::string& name, const std::function<void(Test&)>& run, const Functions& functions, Device* device,
-                Backend backend) {
+Outcome runCase(const std::string& name, const std::function<void(Test&)>& run, const Functions& functions,
+                Device* device, Backend backend) {
     Outcome outcome{name, backend, AGAA_CONFORMANCE_PASSED, "", 0};
     Test test(functions, device);
     const auto begin = std::chrono::steady_clock::now();

@@ -54,7 +54,9 @@ struct Case {
 class Suite {
 public:
     void add(std::string name, std::vector<Backend> backends, std::function<void(Test&)> run);
-    void core(std::string name, std::function<void(Test&)> run) { add(std::move(name), {Backend::Core}, std::move(run)); }
+    void core(std::string name, std::function<void(Test&)> run) {
+        add(std::move(name), {Backend::Core}, std::move(run));
+    }
     void both(std::string name, std::function<void(Test&)> run) {
         add(std::move(name), {Backend::Vulkan, Backend::OpenGl}, std::move(run));
     }
@@ -81,8 +83,8 @@ struct Outcome {
 };
 
 // Runs one test. An exception that leaves it is a failure.
-Outcome runCase(const std::string& name, const std::function<void(Test&)>& run, const Functions& functions, Device* device,
-                Backend backend);
+Outcome runCase(const std::string& name, const std::function<void(Test&)>& run, const Functions& functions,
+                Device* device, Backend backend);
 // Runs the matching tests of a backend in order.
 std::vector<Outcome> runSuite(const Suite& suite, const Functions& functions, Device* device, Backend backend,
                               const std::string& filter, const std::function<void(const Outcome&)>& onOutcome);

@@ -10,36 +10,37 @@ extern "C" {
 #endif
 
 /* Bits of AgaaAdaptiveSampling::flags. Without GEOMETRY and SHADING, all samples are shaded. */
-#define AGAA_ADAPTIVE_GEOMETRY UINT64_C(0x01) /* shade samples whose normal, plane or material differs from those of
-                                                 all shaded samples of the pixel */
-#define AGAA_ADAPTIVE_SHADING UINT64_C(0x02)  /* shade further samples of pixels whose samples differ, if the first
-                                                 samples of the pixel and of its four neighbours differ in luminance */
+/* Shade samples whose normal, plane or material differs from those of all shaded samples of the pixel. */
+#define AGAA_ADAPTIVE_GEOMETRY UINT64_C(0x01)
+/* Shade further samples of pixels whose samples differ, if the first samples of the pixel and of its four
+ * neighbours differ in luminance. */
+#define AGAA_ADAPTIVE_SHADING UINT64_C(0x02)
 /* PRINTED_METRIC, IN_ORDER, EQUAL_WEIGHTS and LOOP together are the method of the paper, for comparison. */
-#define AGAA_ADAPTIVE_PRINTED_METRIC UINT64_C(0x04) /* section 3.1 as printed: the variance of depth, the cone of
-                                                       normals and the range of luminances each give a number of
-                                                       samples; the largest counts */
-#define AGAA_ADAPTIVE_IN_ORDER UINT64_C(0x08)       /* shade samples in the order of the pattern. Without the flag,
-                                                       the sample that differs most is next */
-#define AGAA_ADAPTIVE_EQUAL_WEIGHTS UINT64_C(0x10)  /* the pixel is the mean of the shaded samples. Without the flag,
-                                                       each shaded sample has the weight of the samples that it
-                                                       represents, and a shadow tap at each of them */
-#define AGAA_ADAPTIVE_LOOP UINT64_C(0x20)           /* an invocation shades all further samples of its pixel. Without
-                                                       the flag, they are distributed among all invocations of a
-                                                       workgroup */
-#define AGAA_ADAPTIVE_DEVICE_PATTERN UINT64_C(0x40) /* the visibility tier AUTO selects as for other techniques.
-                                                       Without the flag, AUTO selects ORDERED_GRID at 4, 9 and 16
-                                                       samples, as in the paper, if the target fits the device and
-                                                       the SDK draws the G-buffer */
+/* Section 3.1 as printed: the variance of depth, the cone of normals and the range of luminances each give a
+ * number of samples; the largest counts. */
+#define AGAA_ADAPTIVE_PRINTED_METRIC UINT64_C(0x04)
+/* Shade samples in the order of the pattern. Without the flag, the sample that differs most is next. */
+#define AGAA_ADAPTIVE_IN_ORDER UINT64_C(0x08)
+/* The pixel is the mean of the shaded samples. Without the flag, each shaded sample has the weight of the samples
+ * that it represents, and a shadow tap at each of them. */
+#define AGAA_ADAPTIVE_EQUAL_WEIGHTS UINT64_C(0x10)
+/* An invocation shades all further samples of its pixel. Without the flag, they are distributed among all
+ * invocations of a workgroup. */
+#define AGAA_ADAPTIVE_LOOP UINT64_C(0x20)
+/* The visibility tier AUTO selects as for other techniques. Without the flag, AUTO selects ORDERED_GRID at 4, 9
+ * and 16 samples, as in the paper, if the target fits the device and the SDK draws the G-buffer. */
+#define AGAA_ADAPTIVE_DEVICE_PATTERN UINT64_C(0x40)
 /* The next four flags select methods of section 4.2 of the paper, for comparison. */
-#define AGAA_ADAPTIVE_BUCKETS UINT64_C(0x80)       /* round numbers of samples up to powers of two */
-#define AGAA_ADAPTIVE_SORTED UINT64_C(0x100)       /* workgroups shade pixels of similar numbers of samples. The view
-                                                      takes 8 bytes per pixel more. A view of more than 2^26 pixels
-                                                      fails with AGAA_ERROR_TOO_LARGE */
-#define AGAA_ADAPTIVE_TILE_MAXIMUM UINT64_C(0x200) /* all pixels of a tile of 8x8 pixels have the largest number of
-                                                      samples of the tile */
-#define AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS UINT64_C(0x400) /* tier IDS: filter textures over the area of one sample.
-                                                           Without the flag, they are filtered over the area of all
-                                                           samples that a shaded one represents */
+/* Round numbers of samples up to powers of two. */
+#define AGAA_ADAPTIVE_BUCKETS UINT64_C(0x80)
+/* Workgroups shade pixels of similar numbers of samples. The view takes 8 bytes per pixel more. A view of more
+ * than 2^26 pixels fails with AGAA_ERROR_TOO_LARGE. */
+#define AGAA_ADAPTIVE_SORTED UINT64_C(0x100)
+/* All pixels of a tile of 8x8 pixels have the largest number of samples of the tile. */
+#define AGAA_ADAPTIVE_TILE_MAXIMUM UINT64_C(0x200)
+/* Tier IDS: filter textures over the area of one sample. Without the flag, they are filtered over the area of all
+ * samples that a shaded one represents. */
+#define AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS UINT64_C(0x400)
 
 /* Controls which samples "adaptive" shades (Hollaender et al. 2013). Chain it to AgaaConfig. Other techniques check
  * the struct and do not use it. A sample differs if it exceeds a threshold of AgaaConfig: surfaceCosine,
@@ -68,9 +69,11 @@ typedef struct AgaaAdaptiveSampling {
                                bytes per pixel */
     uint64_t reserved;      /* 0 */
 } AgaaAdaptiveSampling;
-#define AGAA_ADAPTIVE_SAMPLING_INIT                                                                 \
-    {AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, (uint32_t)sizeof(AgaaAdaptiveSampling), NULL,           \
-     AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING, 1e6f, 16.0f, 4.0f, 0.125f, 0.0625f, 0.2f, 0.0f, 0.0f, 0}
+#define AGAA_ADAPTIVE_SAMPLING_INIT                                                                                    \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, (uint32_t)sizeof(AgaaAdaptiveSampling), NULL,                           \
+            AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING, 1e6f, 16.0f, 4.0f, 0.125f, 0.0625f, 0.2f, 0.0f, 0.0f, 0    \
+    }
 AGAA_API void AGAA_CALL agaaInitAdaptiveSampling(AgaaAdaptiveSampling* outAdaptive, size_t structSize);
 
 #ifdef __cplusplus

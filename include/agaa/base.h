@@ -9,9 +9,8 @@
 #define AGAA_VERSION_MAJOR 0
 #define AGAA_VERSION_MINOR 2
 #define AGAA_VERSION_PATCH 0
-#define AGAA_HEADER_VERSION                                                                         \
-    (((uint32_t)AGAA_VERSION_MAJOR << 22) | ((uint32_t)AGAA_VERSION_MINOR << 12) |                  \
-     (uint32_t)AGAA_VERSION_PATCH)
+#define AGAA_HEADER_VERSION                                                                                            \
+    (((uint32_t)AGAA_VERSION_MAJOR << 22) | ((uint32_t)AGAA_VERSION_MINOR << 12) | (uint32_t)AGAA_VERSION_PATCH)
 
 #if defined(_WIN32)
 #if defined(AGAA_BUILDING)
@@ -35,20 +34,20 @@ typedef int32_t AgaaResult; /* AgaaResultCode, or a value of a later library */
 
 typedef enum AgaaResultCode {
     AGAA_OK = 0,
-    AGAA_NOT_READY = 1,               /* the result does not exist yet */
-    AGAA_ERROR_INVALID_ARGUMENT = -1, /* an argument is null or has no valid value */
-    AGAA_ERROR_VERSION = -2,          /* the host uses something that this library does not know */
-    AGAA_ERROR_STRUCT = -3,           /* a struct has the wrong sType or structSize */
-    AGAA_ERROR_UNKNOWN_STRUCT = -4,   /* a pNext chain holds an unknown struct, a struct twice, or does not end */
-    AGAA_ERROR_OUT_OF_RANGE = -5,     /* a value is out of its range */
-    AGAA_ERROR_UNSUPPORTED = -6,      /* the device or this library cannot do what was asked */
-    AGAA_ERROR_LAYOUT = -7,           /* a G-buffer layout is not valid or cannot be packed */
-    AGAA_ERROR_TOO_LARGE = -8,        /* a size exceeds a limit of the device or of 64-bit arithmetic */
-    AGAA_ERROR_OUT_OF_MEMORY = -9,    /* memory could not be allocated */
-    AGAA_ERROR_DEVICE = -10,          /* the graphics API reported an error */
-    AGAA_ERROR_CALLBACK = -11,        /* a host callback reported a failure or returned an invalid value */
-    AGAA_ERROR_PARTIAL = -12,         /* a frame was recorded in part: discard the command buffer */
-    AGAA_ERROR_WRONG_ORDER = -13,     /* the call is not allowed at this point */
+    AGAA_NOT_READY = 1,                /* the result does not exist yet */
+    AGAA_ERROR_INVALID_ARGUMENT = -1,  /* an argument is null or has no valid value */
+    AGAA_ERROR_VERSION = -2,           /* the host uses something that this library does not know */
+    AGAA_ERROR_STRUCT = -3,            /* a struct has the wrong sType or structSize */
+    AGAA_ERROR_UNKNOWN_STRUCT = -4,    /* a pNext chain holds an unknown struct, a struct twice, or does not end */
+    AGAA_ERROR_OUT_OF_RANGE = -5,      /* a value is out of its range */
+    AGAA_ERROR_UNSUPPORTED = -6,       /* the device or this library cannot do what was asked */
+    AGAA_ERROR_LAYOUT = -7,            /* a G-buffer layout is not valid or cannot be packed */
+    AGAA_ERROR_TOO_LARGE = -8,         /* a size exceeds a limit of the device or of 64-bit arithmetic */
+    AGAA_ERROR_OUT_OF_MEMORY = -9,     /* memory could not be allocated */
+    AGAA_ERROR_DEVICE = -10,           /* the graphics API reported an error */
+    AGAA_ERROR_CALLBACK = -11,         /* a host callback reported a failure or returned an invalid value */
+    AGAA_ERROR_PARTIAL = -12,          /* a frame was recorded in part: discard the command buffer */
+    AGAA_ERROR_WRONG_ORDER = -13,      /* the call is not allowed at this point */
     AGAA_ERROR_BUFFER_TOO_SMALL = -14, /* the caller's array is too small */
     AGAA_ERROR_INTERNAL = -15,         /* an error of the library itself */
     AGAA_RESULT_MAX_ENUM = 0x7FFFFFFF
@@ -166,7 +165,8 @@ typedef struct AgaaLog {
     AgaaLogCallback callback; /* may be null */
     void* user;
 } AgaaLog;
-#define AGAA_LOG_INIT {AGAA_STRUCTURE_TYPE_LOG, (uint32_t)sizeof(AgaaLog), NULL, NULL, NULL}
+#define AGAA_LOG_INIT                                                                                                  \
+    { AGAA_STRUCTURE_TYPE_LOG, (uint32_t)sizeof(AgaaLog), NULL, NULL, NULL }
 AGAA_API void AGAA_CALL agaaInitLog(AgaaLog* outLog, size_t structSize);
 
 /* Allocates and frees host memory for the objects behind handles. `alignment` is a power of two. If the host returns
@@ -195,8 +195,8 @@ typedef struct AgaaContextDesc {
     AgaaFreeCallback free;
     void* allocateUser;
 } AgaaContextDesc;
-#define AGAA_CONTEXT_DESC_INIT                                                                      \
-    {AGAA_STRUCTURE_TYPE_CONTEXT_DESC, (uint32_t)sizeof(AgaaContextDesc), NULL, 2, 0, NULL, NULL, NULL, NULL}
+#define AGAA_CONTEXT_DESC_INIT                                                                                         \
+    { AGAA_STRUCTURE_TYPE_CONTEXT_DESC, (uint32_t)sizeof(AgaaContextDesc), NULL, 2, 0, NULL, NULL, NULL, NULL }
 AGAA_API void AGAA_CALL agaaInitContextDesc(AgaaContextDesc* outDesc, size_t structSize);
 
 /* Destroys a context.

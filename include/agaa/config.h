@@ -64,7 +64,10 @@ typedef struct AgaaLayoutAttribute {
     const char* name;
     uint64_t reserved[2]; /* 0 */
 } AgaaLayoutAttribute;
-#define AGAA_LAYOUT_ATTRIBUTE_INIT {0, 0, 0, 0, 0, 0, 1.0f, 0, NULL, {0, 0}}
+#define AGAA_LAYOUT_ATTRIBUTE_INIT                                                                                     \
+    {                                                                                                                  \
+        0, 0, 0, 0, 0, 0, 1.0f, 0, NULL, { 0, 0 }                                                                      \
+    }
 AGAA_API void AGAA_CALL agaaInitLayoutAttribute(AgaaLayoutAttribute* outAttribute);
 
 #define AGAA_MAX_LAYOUT_ATTRIBUTES 13
@@ -78,9 +81,14 @@ typedef struct AgaaLayout {
     uint32_t reserved;       /* 0 */
     AgaaLayoutAttribute attributes[AGAA_MAX_LAYOUT_ATTRIBUTES];
 } AgaaLayout;
-#define AGAA_LAYOUT_INIT                                                                            \
-    {AGAA_STRUCTURE_TYPE_LAYOUT, (uint32_t)sizeof(AgaaLayout), NULL, 0, 0,                          \
-     {{0, 0, 0, 0, 0, 0, 0.0f, 0, NULL, {0, 0}}}}
+#define AGAA_LAYOUT_INIT                                                                                               \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_LAYOUT, (uint32_t)sizeof(AgaaLayout), NULL, 0, 0, {                                        \
+            {                                                                                                          \
+                0, 0, 0, 0, 0, 0, 0.0f, 0, NULL, { 0, 0 }                                                              \
+            }                                                                                                          \
+        }                                                                                                              \
+    }
 AGAA_API void AGAA_CALL agaaInitLayout(AgaaLayout* outLayout, size_t structSize);
 
 /* Gets a built-in layout.
@@ -98,11 +106,7 @@ AGAA_API AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout*
 
 /* ---- configuration -------------------------------------------------------------------------- */
 
-typedef enum AgaaBrdf {
-    AGAA_BRDF_BLINN_PHONG = 0,
-    AGAA_BRDF_GGX = 1,
-    AGAA_BRDF_MAX_ENUM = 0x7FFFFFFF
-} AgaaBrdf;
+typedef enum AgaaBrdf { AGAA_BRDF_BLINN_PHONG = 0, AGAA_BRDF_GGX = 1, AGAA_BRDF_MAX_ENUM = 0x7FFFFFFF } AgaaBrdf;
 
 /* Selects how the spread of normals in an aggregate widens the specular lobe (AGAA section 3.5.2). LEAN and SGGX
  * widen it by the spread in each direction, so that lobes become elliptic: use them for thin geometry with sharp
@@ -128,9 +132,9 @@ typedef enum AgaaTier {
     AGAA_TIER_LAYERS = 4,        /* reserved: AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_ORDERED_GRID = 5,  /* 4, 9 or 16 samples: 2x2, 3x3 or 4x4 texels of one sample each */
     /* generation */
-    AGAA_TIER_NV_MIXED_SAMPLES = 16, /* the paper's method: additive blending with coverage override. agaaQueryMemory
-                                        and agaaPlanToJson accept it; agaa…CreateView fails with
-                                        AGAA_ERROR_UNSUPPORTED */
+    AGAA_TIER_NV_MIXED_SAMPLES = 16,   /* the paper's method: additive blending with coverage override. agaaQueryMemory
+                                          and agaaPlanToJson accept it; agaa…CreateView fails with
+                                          AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* coverage after the depth test, integer atomics */
     AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
     AGAA_TIER_GBUFFER = 19, /* one geometry pass into a multisampled G-buffer; a compute pass aggregates its samples */
@@ -138,9 +142,9 @@ typedef enum AgaaTier {
                                (AgaaFetchFunction) */
     AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass
                                       merges the lists in the order of ids (AgaaFetchFunction) */
-    AGAA_TIER_FRAGMENTS = 22, /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters
-                                 the fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO selects
-                                 it at 64 and 128 */
+    AGAA_TIER_FRAGMENTS = 22,      /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters
+                                      the fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO selects
+                                      it at 64 and 128 */
     AGAA_TIER_MATERIAL_LISTS = 23, /* "dcaa": FRAGMENT_LISTS with fragments that carry their materials. The host's
                                       fragment shader evaluates them */
     AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* "dcaa": no lists. The host's fragment shader evaluates the materials and
@@ -151,23 +155,24 @@ typedef enum AgaaTier {
 } AgaaTier;
 
 /* Bits of AgaaConfig::flags. */
-#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)   /* count events (AgaaCounters). A device without
-                                                 AGAA_DEVICE_FRAGMENT_ATOMICS fails with AGAA_ERROR_UNSUPPORTED */
-#define AGAA_CONFIG_TIMESTAMPS UINT64_C(0x02) /* measure the time of each pass */
-#define AGAA_CONFIG_READBACK UINT64_C(0x04)   /* the host may copy from surfaces; surfaces do not share memory */
-#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x08) /* "agaa": cluster samples of one surface like all others (AGAA
-                                                     3.3), so that their distance may separate them */
-#define AGAA_CONFIG_BUFFERED UINT64_C(0x10) /* "agaa": with the tiers IDS and GBUFFER too, aggregates go to the surface
-                                               "aggregates", and a pass of its own shades them. Excludes litShadows, the
-                                               elliptic NDFs and the tier FRAGMENTS */
-#define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x20) /* tier IDS of "agaa": evaluate a primitive's material for each
-                                                     texel of the target that shows it, at the point where a G-buffer
-                                                     pass evaluates it: the centre, or the first covered sample.
-                                                     Derivatives of normals are not used. AgaaCounters::materials
-                                                     counts the evaluations */
+/* Count events (AgaaCounters). A device without AGAA_DEVICE_FRAGMENT_ATOMICS fails with AGAA_ERROR_UNSUPPORTED. */
+#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)
+/* Measure the time of each pass. */
+#define AGAA_CONFIG_TIMESTAMPS UINT64_C(0x02)
+/* The host may copy from surfaces; surfaces do not share memory. */
+#define AGAA_CONFIG_READBACK UINT64_C(0x04)
+/* "agaa": cluster samples of one surface like all others (AGAA 3.3), so that their distance may separate them. */
+#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x08)
+/* "agaa": with the tiers IDS and GBUFFER too, aggregates go to the surface "aggregates", and a pass of its own
+ * shades them. Excludes litShadows, the elliptic NDFs and the tier FRAGMENTS. */
+#define AGAA_CONFIG_BUFFERED UINT64_C(0x10)
+/* Tier IDS of "agaa": evaluate a primitive's material for each texel of the target that shows it, at the point
+ * where a G-buffer pass evaluates it: the centre, or the first covered sample. Derivatives of normals are not
+ * used. AgaaCounters::materials counts the evaluations. */
+#define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x20)
 
-#define AGAA_CONFIG_CHECK_FACTS UINT64_C(0x40) /* compare each material with AgaaSceneFacts (agaaGetFactReport).
-                                                  Implies AGAA_CONFIG_COUNTERS */
+/* Compare each material with AgaaSceneFacts (agaaGetFactReport). Implies AGAA_CONFIG_COUNTERS. */
+#define AGAA_CONFIG_CHECK_FACTS UINT64_C(0x40)
 
 /* Settings of a view. AgaaAggregation, AgaaDecoupledCoverage, AgaaAdaptiveSampling and AgaaMeasurement may be
  * chained. A struct that is not chained has its defaults. */
@@ -190,13 +195,13 @@ typedef struct AgaaConfig {
     /* Samples within these three thresholds count as one surface: "simple_complex" and "sbaa" shade it once, "agaa"
      * makes one aggregate of it, "adaptive" shades one of its samples or more. 0 selects the default of the
      * technique. */
-    float surfaceCosine;   /* smallest cosine between normals, [0, 1] */
-    float surfaceDistance; /* largest distance from the surface's plane, in pixel widths at its depth, [0, 1e6] */
-    float surfaceMaterial; /* largest difference of a material channel, [0, 1]; only "simple_complex" and "adaptive"
-                              read it */
-    uint32_t shadowTaps;   /* largest number of samples of an aggregate that are looked up in each shadow map, [0,
-                              32]; 0 selects 8. It affects shadows only: the position of an aggregate is the mean of
-                              all its samples */
+    float surfaceCosine;     /* smallest cosine between normals, [0, 1] */
+    float surfaceDistance;   /* largest distance from the surface's plane, in pixel widths at its depth, [0, 1e6] */
+    float surfaceMaterial;   /* largest difference of a material channel, [0, 1]; only "simple_complex" and "adaptive"
+                                read it */
+    uint32_t shadowTaps;     /* largest number of samples of an aggregate that are looked up in each shadow map, [0,
+                                32]; 0 selects 8. It affects shadows only: the position of an aggregate is the mean of
+                                all its samples */
     uint32_t visibilityTier; /* AgaaTier. AUTO selects the best tier that runs. A tier that cannot run fails with
                                 AGAA_ERROR_UNSUPPORTED */
     uint32_t generationTier; /* AgaaTier. AUTO selects the best tier that runs; GBUFFER if the aggregates fit no
@@ -204,9 +209,11 @@ typedef struct AgaaConfig {
                                 AGAA_ERROR_UNSUPPORTED. Only "agaa", "sbaa", "dcaa" and "adaptive" use it */
     uint64_t flags;          /* AGAA_CONFIG_… */
 } AgaaConfig;
-#define AGAA_CONFIG_INIT                                                                            \
-    {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
-     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.0f, 0.0f, 0, AGAA_TIER_AUTO, AGAA_TIER_AUTO, 0}
+#define AGAA_CONFIG_INIT                                                                                               \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL, AGAA_BRDF_GGX,             \
+            AGAA_NDF_TOKSVIG, 0.0f, 0.0f, 0.0f, 0, AGAA_TIER_AUTO, AGAA_TIER_AUTO, 0                                   \
+    }
 AGAA_API void AGAA_CALL agaaInitConfig(AgaaConfig* outConfig, size_t structSize);
 
 /* Controls how "agaa" and "sbaa" group samples. Chain it to AgaaConfig. Other techniques check the struct and do not
@@ -236,8 +243,8 @@ typedef struct AgaaAggregation {
     float glossWeight;
     uint32_t reserved; /* 0 */
 } AgaaAggregation;
-#define AGAA_AGGREGATION_INIT                                                                       \
-    {AGAA_STRUCTURE_TYPE_AGGREGATION, (uint32_t)sizeof(AgaaAggregation), NULL, 0.0f, 0.03f, 0.02f, 0, 0.0f, 0}
+#define AGAA_AGGREGATION_INIT                                                                                          \
+    { AGAA_STRUCTURE_TYPE_AGGREGATION, (uint32_t)sizeof(AgaaAggregation), NULL, 0.0f, 0.03f, 0.02f, 0, 0.0f, 0 }
 AGAA_API void AGAA_CALL agaaInitAggregation(AgaaAggregation* outAggregation, size_t structSize);
 
 /* Selects how "dcaa" merges fragments into the surfaces of a pixel. */
@@ -252,11 +259,10 @@ typedef enum AgaaMerge {
 } AgaaMerge;
 
 /* Bits of AgaaDecoupledCoverage::flags. */
-#define AGAA_COVERAGE_EXACT UINT64_C(0x01) /* keep all fragments and shade those that show at a sample: the reference
-                                              for AgaaMerge. AgaaConfig::aggregates is not used. Requires maxBatches
-                                              1 and a tier with lists; otherwise the view fails with
-                                              AGAA_ERROR_UNSUPPORTED. The tier MATERIAL_LISTS rounds depth planes and
-                                              materials as the layout stores them */
+/* Keep all fragments and shade those that show at a sample: the reference for AgaaMerge. AgaaConfig::aggregates is
+ * not used. Requires maxBatches 1 and a tier with lists; otherwise the view fails with AGAA_ERROR_UNSUPPORTED. The
+ * tier MATERIAL_LISTS rounds depth planes and materials as the layout stores them. */
+#define AGAA_COVERAGE_EXACT UINT64_C(0x01)
 
 /* Controls how "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and
  * RASTER_ORDER have no lists and use neither fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses
@@ -288,9 +294,11 @@ typedef struct AgaaDecoupledCoverage {
                                entry takes 16 bytes. The table exists with samplePositions only */
     uint32_t reservedTable; /* 0 */
 } AgaaDecoupledCoverage;
-#define AGAA_DECOUPLED_COVERAGE_INIT                                                                \
-    {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, \
-     1, 0, 0, NULL, 0, 0}
+#define AGAA_DECOUPLED_COVERAGE_INIT                                                                                   \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE,     \
+            8.0f, 1, 0, 0, NULL, 0, 0                                                                                  \
+    }
 AGAA_API void AGAA_CALL agaaInitDecoupledCoverage(AgaaDecoupledCoverage* outCoverage, size_t structSize);
 
 typedef enum AgaaSeeds {
@@ -315,30 +323,31 @@ typedef enum AgaaDebugView {
                                        lobes, as GGX alpha in the widest direction, mean over the covered samples.
                                        "dcaa" shows 0 with round lobes, because it keeps the widened roughness alone,
                                        and with AGAA_COVERAGE_EXACT */
-    AGAA_DEBUG_VIEW_TIER = 7, /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched
-                                 draws included; green: by ids; yellow: by lists of fragments. The colour is half as
-                                 bright if the pixel has one shading event. With AGAA_CONFIG_BUFFERED, unfetched
-                                 draws are green */
+    AGAA_DEBUG_VIEW_TIER = 7,  /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched
+                                  draws included; green: by ids; yellow: by lists of fragments. The colour is half as
+                                  bright if the pixel has one shading event. With AGAA_CONFIG_BUFFERED, unfetched
+                                  draws are green */
     AGAA_DEBUG_VIEW_FACTS = 8, /* share of the covered samples whose material contradicts AgaaSceneFacts::flags. Implies
                                   AGAA_CONFIG_CHECK_FACTS */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
 } AgaaDebugView;
 
 /* Bits of AgaaMeasurement::flags. */
-#define AGAA_MEASURE_NO_DIFFUSE_FILTER UINT64_C(0x01) /* do not filter the diffuse term by the spread of normals */
-#define AGAA_MEASURE_NO_SHADOW_FILTER UINT64_C(0x02)  /* one shadow tap at the aggregate's mean position */
-#define AGAA_MEASURE_SHADOW_ALONG_DEPTH UINT64_C(0x04) /* AGAA 3.5.3: shadow taps along the view ray by the variance of
-                                                          depth, within the depths of the samples. The tier FRAGMENTS
-                                                          takes taps at samples instead */
-#define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08) /* disable the stencil test. At equal depth, the result depends on the
-                                                  order of fragments and is not repeatable */
-#define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10) /* AGAA algorithm 2, step 2 (c): a fragment goes to the
-                                                            aggregate of its first sample. 4 bytes per pixel more */
-#define AGAA_MEASURE_NO_LIGHT_CULLING UINT64_C(0x20) /* every shading event evaluates all lights of the frame.
-                                                        Otherwise, in views with maxLights of 8 or more whose
-                                                        technique shades samples or aggregates of a depth buffer,
-                                                        lights that cannot reach anything in a tile of 8 by 8 pixels
-                                                        are not evaluated there */
+/* Do not filter the diffuse term by the spread of normals. */
+#define AGAA_MEASURE_NO_DIFFUSE_FILTER UINT64_C(0x01)
+/* One shadow tap at the aggregate's mean position. */
+#define AGAA_MEASURE_NO_SHADOW_FILTER UINT64_C(0x02)
+/* AGAA 3.5.3: shadow taps along the view ray by the variance of depth, within the depths of the samples. The tier
+ * FRAGMENTS takes taps at samples instead. */
+#define AGAA_MEASURE_SHADOW_ALONG_DEPTH UINT64_C(0x04)
+/* Disable the stencil test. At equal depth, the result depends on the order of fragments and is not repeatable. */
+#define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08)
+/* AGAA algorithm 2, step 2 (c): a fragment goes to the aggregate of its first sample. 4 bytes per pixel more. */
+#define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10)
+/* Every shading event evaluates all lights of the frame. Otherwise, in views with maxLights of 8 or more whose
+ * technique shades samples or aggregates of a depth buffer, lights that cannot reach anything in a tile of 8 by 8
+ * pixels are not evaluated there. */
+#define AGAA_MEASURE_NO_LIGHT_CULLING UINT64_C(0x20)
 
 /* Settings for measurements and for comparison with the papers. Chain it to AgaaConfig; hosts do not need it to
  * render. */
@@ -352,9 +361,11 @@ typedef struct AgaaMeasurement {
     uint32_t reserved;    /* 0 */
     uint64_t flags;       /* AGAA_MEASURE_… */
 } AgaaMeasurement;
-#define AGAA_MEASUREMENT_INIT                                                                       \
-    {AGAA_STRUCTURE_TYPE_MEASUREMENT, (uint32_t)sizeof(AgaaMeasurement), NULL, 1, AGAA_DEBUG_VIEW_NONE,  \
-     AGAA_SEEDS_MAXIMIN, 0, 0}
+#define AGAA_MEASUREMENT_INIT                                                                                          \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_MEASUREMENT, (uint32_t)sizeof(AgaaMeasurement), NULL, 1, AGAA_DEBUG_VIEW_NONE,             \
+            AGAA_SEEDS_MAXIMIN, 0, 0                                                                                   \
+    }
 AGAA_API void AGAA_CALL agaaInitMeasurement(AgaaMeasurement* outMeasurement, size_t structSize);
 
 /* Applies named settings of "agaa", which were chosen by measurement (docs/choosing.md).
@@ -391,37 +402,35 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
  * AMBIENT        without it, AgaaFrame::ambient is not used */
 #define AGAA_FACT_SPECULAR UINT64_C(0x01)
 #define AGAA_FACT_EMISSIVE UINT64_C(0x02)
-#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04) /* changes draw passes only; it has no effect in AgaaFrame::facts */
-#define AGAA_FACT_AMBIENT UINT64_C(0x08)
+/* Changes draw passes only; it has no effect in AgaaFrame::facts. */
+#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
 /* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa"
- * and "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier FRAGMENTS fail
- * with AGAA_ERROR_UNSUPPORTED. It selects the tier of the view and has no effect in AgaaFrame::facts. */
+ * * and "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier FRAGMENTS
+ * fail * with AGAA_ERROR_UNSUPPORTED. It selects the tier of the view and has no effect in AgaaFrame::facts. */
+#define AGAA_FACT_AMBIENT UINT64_C(0x08)
+/* Bits of AgaaSceneFacts::flags: properties that all materials and lights of the scene share. The plan drops the *
+ * data and the work that they make redundant. If a material differs, its value is replaced;
+ * AGAA_CONFIG_CHECK_FACTS * counts such materials. * * ONE_ROUGHNESS the roughness is AgaaSceneFacts::alpha2. No
+ * roughness is stored, except by "dcaa" * GREY_SPECULAR the specular reflectance has equal channels. One channel
+ * is stored: the mean of the three * ONE_SPECULAR the specular reflectance is AgaaSceneFacts::specular, as for
+ * dielectrics. It is not stored * NO_DIFFUSE the diffuse albedo is 0, as for metals. It is not stored *
+ * NO_LOCAL_LIGHTS all lights are directional. The view culls no lights * PLANE_NORMALS AgaaSurfaceInput::normal is
+ * geometricNormal, or with an AgaaFetchFunction the normal of the * triangle, on the side of the eye: the scene
+ * has no normal maps and no interpolated normals. The * fact has no effect with an AgaaGBufferFunction. With
+ * NO_LOCAL_LIGHTS and without * AGAA_FACT_SPECULAR, aggregates of two geometry passes keep no normals and take the
+ * normals of * the first pass, which have 16 bits * NO_TRANSLUCENCY alpha-masked materials are cut-outs
+ * (AgaaSurfaceInput::alphaCutoff > 0) * NO_CUTOUTS alpha-masked materials are translucent, if NO_TRANSLUCENCY is
+ * not set. */
 #define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10)
-/* Bits of AgaaSceneFacts::flags: properties that all materials and lights of the scene share. The plan drops the
- * data and the work that they make redundant. If a material differs, its value is replaced; AGAA_CONFIG_CHECK_FACTS
- * counts such materials.
- *
- * ONE_ROUGHNESS     the roughness is AgaaSceneFacts::alpha2. No roughness is stored, except by "dcaa"
- * GREY_SPECULAR     the specular reflectance has equal channels. One channel is stored: the mean of the three
- * ONE_SPECULAR      the specular reflectance is AgaaSceneFacts::specular, as for dielectrics. It is not stored
- * NO_DIFFUSE        the diffuse albedo is 0, as for metals. It is not stored
- * NO_LOCAL_LIGHTS   all lights are directional. The view culls no lights
- * PLANE_NORMALS     AgaaSurfaceInput::normal is geometricNormal, or with an AgaaFetchFunction the normal of the
- *                   triangle, on the side of the eye: the scene has no normal maps and no interpolated normals. The
- *                   fact has no effect with an AgaaGBufferFunction. With NO_LOCAL_LIGHTS and without
- *                   AGAA_FACT_SPECULAR, aggregates of two geometry passes keep no normals and take the normals of
- *                   the first pass, which have 16 bits
- * NO_TRANSLUCENCY   alpha-masked materials are cut-outs (AgaaSurfaceInput::alphaCutoff > 0)
- * NO_CUTOUTS        alpha-masked materials are translucent, if NO_TRANSLUCENCY is not set */
 #define AGAA_FACT_ONE_ROUGHNESS UINT64_C(0x100)
 #define AGAA_FACT_GREY_SPECULAR UINT64_C(0x200)
 #define AGAA_FACT_ONE_SPECULAR UINT64_C(0x400)
 #define AGAA_FACT_NO_TRANSLUCENCY UINT64_C(0x2000)
 #define AGAA_FACT_NO_CUTOUTS UINT64_C(0x4000)
-#define AGAA_FACT_PLANE_NORMALS UINT64_C(0x8000)
 /* If a layout has emission of one channel, a factor of the albedo, the view fails with AGAA_ERROR_LAYOUT. */
-#define AGAA_FACT_NO_DIFFUSE UINT64_C(0x800)
+#define AGAA_FACT_PLANE_NORMALS UINT64_C(0x8000)
 /* Point and spot lights fail with AGAA_ERROR_OUT_OF_RANGE. */
+#define AGAA_FACT_NO_DIFFUSE UINT64_C(0x800)
 #define AGAA_FACT_NO_LOCAL_LIGHTS UINT64_C(0x1000)
 #define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
 
@@ -438,25 +447,28 @@ typedef struct AgaaSceneFacts {
     float alpha2;            /* GGX alpha squared for AGAA_FACT_ONE_ROUGHNESS, [4.1e-6, 1] */
     float specular;          /* reflectance at normal incidence for AGAA_FACT_ONE_SPECULAR, [0, 1] */
 } AgaaSceneFacts;
-#define AGAA_SCENE_FACTS_INIT                                                                       \
-    {AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL, AGAA_FACT_ALL_SHADED, 64, 1, 1.0f, 0.04f}
+#define AGAA_SCENE_FACTS_INIT                                                                                          \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL, AGAA_FACT_ALL_SHADED, 64, 1, 1.0f,    \
+            0.04f                                                                                                      \
+    }
 AGAA_API void AGAA_CALL agaaInitSceneFacts(AgaaSceneFacts* outFacts, size_t structSize);
 
 /* Bits of AgaaViewDesc::flags. */
-#define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* the near plane has depth 1, the far plane 0; needs a float depth
-                                               format */
-#define AGAA_VIEW_COMPOSITE UINT64_C(0x02)  /* frames may composite over the contents of the output */
+/* The near plane has depth 1, the far plane 0; needs a float depth format. */
+#define AGAA_VIEW_REVERSED_Z UINT64_C(0x01)
+/* Frames may composite over the contents of the output. */
+#define AGAA_VIEW_COMPOSITE UINT64_C(0x02)
 /* OpenGL: the rasteriser maps z/w in [-1, 1] to depth, which is its default. Without the flag it maps z/w in [0, 1].
  * The near and far planes of AgaaFrame::projection lie at the ends of that range. Vulkan: AGAA_ERROR_UNSUPPORTED. */
-#define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
 /* The host's vertex shaders expand triangles in the pass FRAGMENTS (AgaaDrawState::vertexPulling), so that "dcaa"
- * and the tier FRAGMENTS of "agaa" need no geometry shaders. Without the flag geometry shaders expand them, and a
- * device without AGAA_DEVICE_GEOMETRY_SHADERS fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers do not
- * use the flag. */
-#define AGAA_VIEW_VERTEX_PULLING UINT64_C(0x08)
-
-/* Describes a view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained
+ * * and the tier FRAGMENTS of "agaa" need no geometry shaders. Without the flag geometry shaders expand them, and
+ * a * device without AGAA_DEVICE_GEOMETRY_SHADERS fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers do
+ * not * use the flag. */
+#define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
+/* Describes a view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained *
  * (agaa/functions.h). */
+#define AGAA_VIEW_VERTEX_PULLING UINT64_C(0x08)
 typedef struct AgaaViewDesc {
     uint32_t sType;
     uint32_t structSize;
@@ -467,8 +479,8 @@ typedef struct AgaaViewDesc {
     const AgaaSceneFacts* facts;
     uint64_t flags; /* AGAA_VIEW_… */
 } AgaaViewDesc;
-#define AGAA_VIEW_DESC_INIT                                                                         \
-    {AGAA_STRUCTURE_TYPE_VIEW_DESC, (uint32_t)sizeof(AgaaViewDesc), NULL, 0, 0, NULL, NULL, 0}
+#define AGAA_VIEW_DESC_INIT                                                                                            \
+    { AGAA_STRUCTURE_TYPE_VIEW_DESC, (uint32_t)sizeof(AgaaViewDesc), NULL, 0, 0, NULL, NULL, 0 }
 AGAA_API void AGAA_CALL agaaInitViewDesc(AgaaViewDesc* outDesc, size_t structSize);
 
 /* Changes the size of a view. The view keeps its handle; draw passes and surfaces must be read again

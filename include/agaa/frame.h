@@ -66,7 +66,7 @@ typedef struct AgaaDrawState {
                                   Vulkan the pipeline is for AgaaVkDrawPass::renderPass, and its colour blend state
                                   has the flag RASTERIZATION_ORDER_ATTACHMENT_ACCESS
                                   (VK_EXT_rasterization_order_attachment_access) */
-    uint32_t reserved[4];    /* 0 */
+    uint32_t reserved[4];      /* 0 */
 } AgaaDrawState;
 
 /* Describes a draw pass of a view before anything is recorded. Chain an AgaaVkDrawPass or an AgaaGlDrawPass to
@@ -96,9 +96,11 @@ typedef struct AgaaDrawPass {
      * and its own code, which calls agaa_pullVertex() once. Owned by the view. */
     const char* glslVertex;
 } AgaaDrawPass;
-#define AGAA_DRAW_PASS_INIT                                                                         \
-    {AGAA_STRUCTURE_TYPE_DRAW_PASS, (uint32_t)sizeof(AgaaDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, 0,   \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0}}, NULL, NULL, NULL, NULL}
+#define AGAA_DRAW_PASS_INIT                                                                                            \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_DRAW_PASS, (uint32_t)sizeof(AgaaDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, 0,                \
+            {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0}}, NULL, NULL, NULL, NULL                                 \
+    }
 AGAA_API void AGAA_CALL agaaInitDrawPass(AgaaDrawPass* outPass, size_t structSize);
 
 /* Lists the draw passes of a view.
@@ -172,12 +174,14 @@ typedef struct AgaaLight {
     float range;        /* (0, 1e18], or 0: infinite */
     float cosInner;     /* spot: cosines of the half angles, [-1, 1]; cosInner >= cosOuter. Not read for other types */
     float cosOuter;
-    float radius;       /* radius of the lamp, [0, 1e15]; the inverse-square law stops there */
-    float reserved;     /* 0 */
+    float radius;   /* radius of the lamp, [0, 1e15]; the inverse-square law stops there */
+    float reserved; /* 0 */
 } AgaaLight;
-#define AGAA_LIGHT_INIT                                                                             \
-    {AGAA_LIGHT_DIRECTIONAL, AGAA_NO_SHADOW, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, 0.0f,   \
-     1.0f, 0.0f, 0.0f, 0.0f}
+#define AGAA_LIGHT_INIT                                                                                                \
+    {                                                                                                                  \
+        AGAA_LIGHT_DIRECTIONAL, AGAA_NO_SHADOW, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, 0.0f,     \
+            1.0f, 0.0f, 0.0f, 0.0f                                                                                     \
+    }
 AGAA_API void AGAA_CALL agaaInitLight(AgaaLight* outLight, size_t structSize);
 
 /* A shadow map: a 2D array of depth layers with a matrix each. A point uses the first layer whose clip volume contains
@@ -190,8 +194,12 @@ typedef struct AgaaShadow {
     float matrices[AGAA_MAX_SHADOW_LAYERS][16]; /* transforms from shading space to the layer's clip space, z in
                                                    [0, w] */
 } AgaaShadow;
-#define AGAA_SHADOW_INIT                                                                            \
-    {1, 0.0f, {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, {0}}}
+#define AGAA_SHADOW_INIT                                                                                               \
+    {                                                                                                                  \
+        1, 0.0f, {                                                                                                     \
+            {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, { 0 }                                \
+        }                                                                                                              \
+    }
 AGAA_API void AGAA_CALL agaaInitShadow(AgaaShadow* outShadow, size_t structSize);
 
 /* ---- frame ---------------------------------------------------------------------------------- */
@@ -203,10 +211,12 @@ AGAA_API void AGAA_CALL agaaInitShadow(AgaaShadow* outShadow, size_t structSize)
  * AGAA_SEGMENT_SHADING. The device may still run earlier segments while a later one is recorded. If the command
  * buffer of a frame is discarded, the frame counts as completed, and its statistics are undefined: read those of a
  * later frame. */
-#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* the first geometry pass, into depth or a G-buffer; with
-                                                 AGAA_FETCH_NOT_ALL_DRAWS also the second */
-#define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* the passes that leave aggregates or surfaces in memory */
-#define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* all passes that write the output, and the draw pass FORWARD */
+/* The first geometry pass, into depth or a G-buffer; with AGAA_FETCH_NOT_ALL_DRAWS also the second. */
+#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)
+/* The passes that leave aggregates or surfaces in memory. */
+#define AGAA_SEGMENT_GENERATION UINT64_C(0x2)
+/* All passes that write the output, and the draw pass FORWARD. */
+#define AGAA_SEGMENT_SHADING UINT64_C(0x4)
 #define AGAA_SEGMENT_ALL UINT64_C(0x7)
 
 typedef struct AgaaFrame {
@@ -232,7 +242,7 @@ typedef struct AgaaFrame {
     uint32_t shadowSize;  /* sizeof(AgaaShadow): the distance between elements of shadows; not read without shadows */
     const AgaaLight* lights;   /* may be null without lights */
     const AgaaShadow* shadows; /* may be null without shadows */
-    float ambient[3]; /* radiance from all directions, [0, 65504] */
+    float ambient[3];          /* radiance from all directions, [0, 65504] */
     /* The colour of pixels without geometry, [0, 65504]. The fourth element is in (0, 65504], or 0 to keep the
      * contents of the output; this needs AGAA_VIEW_COMPOSITE and, on Vulkan, an outputLayoutIn that preserves them.
      * The output receives linear colours up to 65504 and alpha 1. */
@@ -254,10 +264,12 @@ typedef struct AgaaFrame {
      * otherwise the grouping of samples depends on the variants that are prepared. */
     const AgaaSceneFacts* facts;
 } AgaaFrame;
-#define AGAA_FRAME_INIT                                                                             \
-    {AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,           \
-     {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, (uint32_t)sizeof(AgaaLight),       \
-     (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL, NULL}
+#define AGAA_FRAME_INIT                                                                                                \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,                          \
+            {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, (uint32_t)sizeof(AgaaLight),                  \
+            (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL, NULL                     \
+    }
 /* Initialises a frame. It sets lightSize and shadowSize to 0: the host must set them. */
 AGAA_API void AGAA_CALL agaaInitFrame(AgaaFrame* outFrame, size_t structSize);
 

@@ -42,8 +42,8 @@ typedef struct AgaaGBufferFunction {
      * shaderSampledImageArrayNonUniformIndexing and runtimeDescriptorArray. */
     const char* glslExtensions;
 } AgaaGBufferFunction;
-#define AGAA_GBUFFER_FUNCTION_INIT                                                                  \
-    {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0, NULL}
+#define AGAA_GBUFFER_FUNCTION_INIT                                                                                     \
+    { AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0, NULL }
 AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction, size_t structSize);
 
 /* Bits of AgaaFetchFunction::flags.
@@ -89,8 +89,8 @@ typedef struct AgaaFetchFunction {
     uint64_t flags;               /* AGAA_FETCH_… */
     const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
 } AgaaFetchFunction;
-#define AGAA_FETCH_FUNCTION_INIT                                                                    \
-    {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL}
+#define AGAA_FETCH_FUNCTION_INIT                                                                                       \
+    { AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL }
 AGAA_API void AGAA_CALL agaaInitFetchFunction(AgaaFetchFunction* outFunction, size_t structSize);
 
 /* A function that replaces some shadow maps. Chain it to AgaaViewDesc. It is compiled into the passes that shade.
@@ -103,14 +103,14 @@ typedef struct AgaaShadowFunction {
     uint32_t structSize;
     const void* pNext;
     const char* glsl;
-    uint32_t shadows;  /* bit i in [0, AgaaSceneFacts::shadowMapCount): the function answers for
-                          AgaaFrame::shadows[i], whose layerCount is 0; one bit at least */
-    uint32_t reserved; /* 0 */
+    uint32_t shadows;             /* bit i in [0, AgaaSceneFacts::shadowMapCount): the function answers for
+                                     AgaaFrame::shadows[i], whose layerCount is 0; one bit at least */
+    uint32_t reserved;            /* 0 */
     uint64_t descriptorSetLayout; /* see AgaaGBufferFunction::descriptorSetLayout */
     const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
 } AgaaShadowFunction;
-#define AGAA_SHADOW_FUNCTION_INIT                                                                   \
-    {AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0, NULL}
+#define AGAA_SHADOW_FUNCTION_INIT                                                                                      \
+    { AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0, NULL }
 AGAA_API void AGAA_CALL agaaInitShadowFunction(AgaaShadowFunction* outFunction, size_t structSize);
 
 #ifdef __cplusplus

@@ -20,8 +20,9 @@ typedef enum AgaaPreference {
 } AgaaPreference;
 
 /* Bits of AgaaGoal::flags. */
-#define AGAA_GOAL_ONE_GEOMETRY_PASS UINT64_C(0x01) /* leave out settings that draw the scene more than once in a
-                                                      frame */
+#define AGAA_GOAL_ONE_GEOMETRY_PASS                                                                                    \
+    UINT64_C(0x01) /* leave out settings that draw the scene more than once in a                                       \
+                      frame */
 
 /* Measurements of settings in the host's own scene. The errors come from three frames with one camera: one with
  * these settings, one with "single" and one with full sampling. */
@@ -42,9 +43,11 @@ typedef struct AgaaMeasuredSettings {
     float geometryMilliseconds; /* [0, 1e9] */
     float shadingMilliseconds;  /* [0, 1e9] */
 } AgaaMeasuredSettings;
-#define AGAA_MEASURED_SETTINGS_INIT                                                                 \
-    {AGAA_STRUCTURE_TYPE_MEASURED_SETTINGS, (uint32_t)sizeof(AgaaMeasuredSettings), NULL, NULL, NULL, 0, 0, 0, 0, 0, \
-     0.0f, 0.0f, 0.0f, 0.0f}
+#define AGAA_MEASURED_SETTINGS_INIT                                                                                    \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_MEASURED_SETTINGS, (uint32_t)sizeof(AgaaMeasuredSettings), NULL, NULL, NULL, 0, 0, 0, 0,   \
+            0, 0.0f, 0.0f, 0.0f, 0.0f                                                                                  \
+    }
 AGAA_API void AGAA_CALL agaaInitMeasuredSettings(AgaaMeasuredSettings* outMeasured, size_t structSize);
 
 /* Limits, and the quantity to minimise within them. Errors are mean square errors after tone mapping, against full
@@ -71,9 +74,11 @@ typedef struct AgaaGoal {
     uint32_t measuredCount;               /* 0: the table of ten scenes predicts */
     uint32_t reservedMeasured;            /* 0 */
 } AgaaGoal;
-#define AGAA_GOAL_INIT                                                                              \
-    {AGAA_STRUCTURE_TYPE_GOAL, (uint32_t)sizeof(AgaaGoal), NULL, 0.0f, 0.0f, 0.8f, 0.0f, 0, AGAA_PREFER_TIME, 0, 0, \
-     NULL, 0, 0}
+#define AGAA_GOAL_INIT                                                                                                 \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_GOAL, (uint32_t)sizeof(AgaaGoal), NULL, 0.0f, 0.0f, 0.8f, 0.0f, 0, AGAA_PREFER_TIME, 0, 0, \
+            NULL, 0, 0                                                                                                 \
+    }
 AGAA_API void AGAA_CALL agaaInitGoal(AgaaGoal* outGoal, size_t structSize);
 
 /* ---- observations --------------------------------------------------------------------------- */
@@ -105,9 +110,11 @@ typedef struct AgaaObservation {
     float geometryMilliseconds; /* stages prepass, definition and generation, [0, 1e9] */
     float shadingMilliseconds;  /* all other stages, [0, 1e9] */
 } AgaaObservation;
-#define AGAA_OBSERVATION_INIT                                                                       \
-    {AGAA_STRUCTURE_TYPE_OBSERVATION, (uint32_t)sizeof(AgaaObservation), NULL, 0, NULL, NULL, 0, 0, 0, 0, 0, \
-     0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f}
+#define AGAA_OBSERVATION_INIT                                                                                          \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_OBSERVATION, (uint32_t)sizeof(AgaaObservation), NULL, 0, NULL, NULL, 0, 0, 0, 0, 0, 0.0f,  \
+            0.0f, 0.0f, 0.0f, 0.0f, 0.0f                                                                               \
+    }
 AGAA_API void AGAA_CALL agaaInitObservation(AgaaObservation* outObservation, size_t structSize);
 
 /* Reads an observation from the statistics of a frame.
@@ -166,9 +173,13 @@ typedef struct AgaaChoice {
     char reason[512];        /* the choice and the reasons for it, one to three sentences */
     float memory[AGAA_CHOICE_MEMORY]; /* state of the library between calls, [0, inf). Pass it on unchanged */
 } AgaaChoice;
-#define AGAA_CHOICE_INIT                                                                            \
-    {AGAA_STRUCTURE_TYPE_CHOICE, (uint32_t)sizeof(AgaaChoice), NULL, NULL, NULL, 0, 0, 0, 0, 0, 0,   \
-     0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, {0}, {0.0f}}
+#define AGAA_CHOICE_INIT                                                                                               \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_CHOICE, (uint32_t)sizeof(AgaaChoice), NULL, NULL, NULL, 0, 0, 0, 0, 0, 0, 0.0f, 0.0f,      \
+            0.0f, 0.0f, 0.0f, 0, 0, {0}, {                                                                             \
+            0.0f                                                                                                       \
+        }                                                                                                              \
+    }
 AGAA_API void AGAA_CALL agaaInitChoice(AgaaChoice* outChoice, size_t structSize);
 
 /* Chooses the technique, its tier, n, c and preset for a goal. The candidates are the settings of a table that was

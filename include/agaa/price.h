@@ -24,25 +24,25 @@ typedef enum AgaaPriceKind {
 typedef struct AgaaPrice {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;       /* null */
-    uint32_t kind;           /* AgaaPriceKind */
-    uint32_t isOn;           /* EFFECT: 1 if the description has it. SAMPLES, AGGREGATES: 1 if it has toCount or more */
-    uint32_t isPossible;     /* 0: one of the two plans cannot be made; all numbers are 0, and `reason` says why */
-    uint32_t changesTier;    /* 1: the two plans have different tiers of visibility or generation */
+    const void* pNext;    /* null */
+    uint32_t kind;        /* AgaaPriceKind */
+    uint32_t isOn;        /* EFFECT: 1 if the description has it. SAMPLES, AGGREGATES: 1 if it has toCount or more */
+    uint32_t isPossible;  /* 0: one of the two plans cannot be made; all numbers are 0, and `reason` says why */
+    uint32_t changesTier; /* 1: the two plans have different tiers of visibility or generation */
     uint32_t fromCount, toCount; /* SAMPLES: n. AGGREGATES: c or S. 0 for other kinds */
-    const char* name;        /* "view", an effect, "samples" or "aggregates"; static storage */
-    const char* description; /* scenes that need the effect, or the improvement by the step; one sentence, static
-                                storage */
-    int64_t passes;          /* all passes of a frame; repeated passes count once */
-    int64_t geometryPasses;  /* passes that call the host's draw function */
-    int64_t pipelines;       /* compute pipelines of the SDK, and draw passes whose pipelines differ */
-    int64_t totalBytes;      /* bytes; see AgaaMemoryReport */
-    int64_t peakBytes;       /* bytes; see AgaaMemoryReport */
-    int64_t constantBytes;   /* bytes; see AgaaMemoryReport */
-    int64_t sampleBits;      /* bits of a sample of the targets of geometry passes: depth, stencil and colours, as
-                                stored */
-    int64_t aggregateBits;   /* bits of an aggregate or surface in memory, as stored; 0 if the view keeps none in
-                                memory */
+    const char* name;            /* "view", an effect, "samples" or "aggregates"; static storage */
+    const char* description;     /* scenes that need the effect, or the improvement by the step; one sentence, static
+                                    storage */
+    int64_t passes;              /* all passes of a frame; repeated passes count once */
+    int64_t geometryPasses;      /* passes that call the host's draw function */
+    int64_t pipelines;           /* compute pipelines of the SDK, and draw passes whose pipelines differ */
+    int64_t totalBytes;          /* bytes; see AgaaMemoryReport */
+    int64_t peakBytes;           /* bytes; see AgaaMemoryReport */
+    int64_t constantBytes;       /* bytes; see AgaaMemoryReport */
+    int64_t sampleBits;          /* bits of a sample of the targets of geometry passes: depth, stencil and colours, as
+                                    stored */
+    int64_t aggregateBits;       /* bits of an aggregate or surface in memory, as stored; 0 if the view keeps none in
+                                    memory */
     /* Bytes per frame, if each pass reads or writes each per-pixel surface that it uses exactly once and as a whole.
      * A buffer that a pass reads and writes counts once. The number is a lower bound if all passes process all
      * pixels: overdraw, repeated reads and atomic operations add to it. Pixels that a pass skips, caches and
@@ -56,9 +56,13 @@ typedef struct AgaaPrice {
                                       evaluated AgaaMeasurement::shadingCost times */
     char reason[256];              /* one sentence; empty if isPossible is 1 */
 } AgaaPrice;
-#define AGAA_PRICE_INIT                                                                             \
-    {AGAA_STRUCTURE_TYPE_PRICE, (uint32_t)sizeof(AgaaPrice), NULL, 0, 0, 0, 0, 0, 0, NULL, NULL,    \
-     0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}}
+#define AGAA_PRICE_INIT                                                                                                \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_PRICE, (uint32_t)sizeof(AgaaPrice), NULL, 0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, 0,  \
+            0, 0, 0, 0, 0, 0, {                                                                                        \
+            0                                                                                                          \
+        }                                                                                                              \
+    }
 AGAA_API void AGAA_CALL agaaInitPrice(AgaaPrice* outPrice, size_t structSize);
 
 /* Lists the prices of a view, from plans alone, for two frames in flight. The first entry is the view itself. One

@@ -20,16 +20,19 @@ extern "C" {
 #define AGAA_DEVICE_NV_MIXED_SAMPLES UINT64_C(0x20)
 #define AGAA_DEVICE_D24S8 UINT64_C(0x40)
 #define AGAA_DEVICE_D32S8 UINT64_C(0x80)
-#define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */
-#define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)    /* renders on the CPU, where workgroups do not share memory */
+#define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100)      /* surfaces cannot share memory (OpenGL) */
+#define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)         /* renders on the CPU, where workgroups do not share memory */
 #define AGAA_DEVICE_GEOMETRY_SHADERS UINT64_C(0x400) /* devices without them need AGAA_VIEW_VERTEX_PULLING */
-#define AGAA_DEVICE_CONDITIONAL_RENDERING UINT64_C(0x800) /* VK_EXT_conditional_rendering: the device skips batches
-                                                             that are not needed (AgaaDecoupledCoverage::maxBatches) */
-#define AGAA_DEVICE_FRAGMENT_INTERLOCK UINT64_C(0x1000) /* ordered critical sections for each pixel in fragment
-                                                           shaders */
-#define AGAA_DEVICE_FRAMEBUFFER_FETCH UINT64_C(0x2000)  /* fragment shaders read the attachments, in the order of the
-                                                           draws (GL_EXT_shader_framebuffer_fetch,
-                                                           VK_EXT_rasterization_order_attachment_access) */
+#define AGAA_DEVICE_CONDITIONAL_RENDERING                                                                              \
+    UINT64_C(0x800) /* VK_EXT_conditional_rendering: the device skips batches                                          \
+                       that are not needed (AgaaDecoupledCoverage::maxBatches) */
+#define AGAA_DEVICE_FRAGMENT_INTERLOCK                                                                                 \
+    UINT64_C(0x1000) /* ordered critical sections for each pixel in fragment                                           \
+                        shaders */
+#define AGAA_DEVICE_FRAMEBUFFER_FETCH                                                                                  \
+    UINT64_C(0x2000) /* fragment shaders read the attachments, in the order of the                                     \
+                        draws (GL_EXT_shader_framebuffer_fetch,                                                        \
+                        VK_EXT_rasterization_order_attachment_access) */
 
 /* Capabilities of a device. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps
  * fill it. */
@@ -39,16 +42,16 @@ typedef struct AgaaDeviceCaps {
     const void* pNext; /* null */
     char deviceName[128];
     char driverName[128];
-    uint32_t sampleCounts; /* bit i: multisampled colour and depth textures with 2^i samples, in the formats that the
-                              device has. A view with a surface of another format fails with AGAA_ERROR_UNSUPPORTED */
+    uint32_t sampleCounts;    /* bit i: multisampled colour and depth textures with 2^i samples, in the formats that the
+                                 device has. A view with a surface of another format fails with AGAA_ERROR_UNSUPPORTED */
     uint32_t maxImageSize;    /* texels */
     uint64_t maxStorageRange; /* bytes of one storage buffer */
     uint32_t maxSharedBytes;  /* bytes of shared memory of a compute workgroup */
     uint32_t reserved;        /* 0 */
     uint64_t flags;           /* AGAA_DEVICE_… */
 } AgaaDeviceCaps;
-#define AGAA_DEVICE_CAPS_INIT                                                                       \
-    {AGAA_STRUCTURE_TYPE_DEVICE_CAPS, (uint32_t)sizeof(AgaaDeviceCaps), NULL, {0}, {0}, 0, 0, 0, 16384, 0, 0}
+#define AGAA_DEVICE_CAPS_INIT                                                                                          \
+    { AGAA_STRUCTURE_TYPE_DEVICE_CAPS, (uint32_t)sizeof(AgaaDeviceCaps), NULL, {0}, {0}, 0, 0, 0, 16384, 0, 0 }
 AGAA_API void AGAA_CALL agaaInitDeviceCaps(AgaaDeviceCaps* outCaps, size_t structSize);
 
 /* Describes how a technique runs a stage with n samples on a device. */
@@ -66,10 +69,12 @@ typedef struct AgaaCapability {
                            "dcaa" compare whole frames with FRAGMENT_LISTS; FRAGMENT_INTERLOCK compares passes on an
                            NVIDIA H200 */
     uint32_t reserved;
-    char reason[256];   /* one sentence */
+    char reason[256]; /* one sentence */
 } AgaaCapability;
-#define AGAA_CAPABILITY_INIT                                                                        \
-    {AGAA_STRUCTURE_TYPE_CAPABILITY, (uint32_t)sizeof(AgaaCapability), NULL, NULL, 0, 0, 0, 0, 0.0f, 0, {0}}
+#define AGAA_CAPABILITY_INIT                                                                                           \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_CAPABILITY, (uint32_t)sizeof(AgaaCapability), NULL, NULL, 0, 0, 0, 0, 0.0f, 0, { 0 }       \
+    }
 AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t structSize);
 
 /* Lists how each technique runs each stage. The first entry of a technique, n and stage is the tier that AUTO
@@ -139,8 +144,8 @@ typedef struct AgaaSurface {
     uint32_t structSize;
     void* pNext;
     char name[48];
-    char format[32];         /* empty for buffers */
-    uint32_t width, height;  /* texels; 0 for buffers */
+    char format[32];        /* empty for buffers */
+    uint32_t width, height; /* texels; 0 for buffers */
     uint32_t samples, layers;
     uint32_t scaleX, scaleY; /* texels per pixel; 0 for buffers, and for images whose size is not that of the target */
     uint64_t bytes;          /* payload of all copies */
@@ -148,8 +153,8 @@ typedef struct AgaaSurface {
     uint32_t firstPass, lastPass; /* the surface is in use from pass firstPass to pass lastPass of the plan */
     uint32_t reserved;
 } AgaaSurface;
-#define AGAA_SURFACE_INIT                                                                           \
-    {AGAA_STRUCTURE_TYPE_SURFACE, (uint32_t)sizeof(AgaaSurface), NULL, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
+#define AGAA_SURFACE_INIT                                                                                              \
+    { AGAA_STRUCTURE_TYPE_SURFACE, (uint32_t)sizeof(AgaaSurface), NULL, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 AGAA_API void AGAA_CALL agaaInitSurface(AgaaSurface* outSurface, size_t structSize);
 
 typedef struct AgaaMemoryReport {
@@ -162,8 +167,8 @@ typedef struct AgaaMemoryReport {
     double bytesPerPixel;     /* totalBytes / (width * height) */
     double bytesPerAggregate; /* 0 if aggregates are not kept in memory */
 } AgaaMemoryReport;
-#define AGAA_MEMORY_REPORT_INIT                                                                     \
-    {AGAA_STRUCTURE_TYPE_MEMORY_REPORT, (uint32_t)sizeof(AgaaMemoryReport), NULL, 0, 0, 0, 0.0, 0.0}
+#define AGAA_MEMORY_REPORT_INIT                                                                                        \
+    { AGAA_STRUCTURE_TYPE_MEMORY_REPORT, (uint32_t)sizeof(AgaaMemoryReport), NULL, 0, 0, 0, 0.0, 0.0 }
 AGAA_API void AGAA_CALL agaaInitMemoryReport(AgaaMemoryReport* outReport, size_t structSize);
 
 /* Predicts the memory of a view from its plan, for two frames in flight.
@@ -198,7 +203,8 @@ typedef struct AgaaTarget {
     uint32_t geometryPasses; /* 0: the host draws the G-buffer (AgaaGBufferFunction), with this size and these samples
                                 unless the function gives sample positions */
 } AgaaTarget;
-#define AGAA_TARGET_INIT {AGAA_STRUCTURE_TYPE_TARGET, (uint32_t)sizeof(AgaaTarget), NULL, 0, 0, 0, 0, 0, 0}
+#define AGAA_TARGET_INIT                                                                                               \
+    { AGAA_STRUCTURE_TYPE_TARGET, (uint32_t)sizeof(AgaaTarget), NULL, 0, 0, 0, 0, 0, 0 }
 AGAA_API void AGAA_CALL agaaInitTarget(AgaaTarget* outTarget, size_t structSize);
 
 /* Predicts the target of a view.

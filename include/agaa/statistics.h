@@ -26,20 +26,20 @@ typedef struct AgaaCounters {
     uint64_t shadingEvents; /* lighting evaluations for a sample or an aggregate; "msaa" counts per fragment,
                                including each coplanar fragment of alpha-masked materials */
     uint64_t shadowTaps;
-    uint64_t widenedLobes;  /* shading events whose specular lobe the NDF widened */
-    uint64_t shadedPixels;  /* pixels with at least one shading event */
+    uint64_t widenedLobes;      /* shading events whose specular lobe the NDF widened */
+    uint64_t shadedPixels;      /* pixels with at least one shading event */
     uint64_t maxEventsPerPixel; /* 0 for "msaa" */
-    uint64_t aggregates;    /* aggregates of all pixels; surfaces for "sbaa" and "dcaa" */
-    uint64_t primitives;    /* "agaa", tiers IDS and FRAGMENTS: primitives that the samples of a pixel show, summed
-                               over all pixels; unfetched draws are not counted */
-    uint64_t materials;     /* tier IDS: material evaluations, one per primitive and pixel or, with
-                               AGAA_CONFIG_FINE_MATERIALS, per primitive and texel; two in pixels of one primitive whose
-                               shading normals belong to several surfaces. "adaptive": one per primitive and pixel each
-                               time that samples are compared, and one per shaded sample. Tier FRAGMENT_LISTS: one per
-                               fragment that has room. Tier FRAGMENTS: one per fragment that shows, for each use */
-    uint64_t misplaced;     /* fragments of the first geometry pass that do not lie where the camera places them;
-                               slivers cause a few, because their positions extrapolate */
-    uint64_t unannounced;   /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */
+    uint64_t aggregates;        /* aggregates of all pixels; surfaces for "sbaa" and "dcaa" */
+    uint64_t primitives;        /* "agaa", tiers IDS and FRAGMENTS: primitives that the samples of a pixel show, summed
+                                   over all pixels; unfetched draws are not counted */
+    uint64_t materials;         /* tier IDS: material evaluations, one per primitive and pixel or, with
+                                   AGAA_CONFIG_FINE_MATERIALS, per primitive and texel; two in pixels of one primitive whose
+                                   shading normals belong to several surfaces. "adaptive": one per primitive and pixel each
+                                   time that samples are compared, and one per shaded sample. Tier FRAGMENT_LISTS: one per
+                                   fragment that has room. Tier FRAGMENTS: one per fragment that shows, for each use */
+    uint64_t misplaced;         /* fragments of the first geometry pass that do not lie where the camera places them;
+                                   slivers cause a few, because their positions extrapolate */
+    uint64_t unannounced; /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */
     /* Counters of "dcaa" (DCAA section 3). The tier FRAGMENTS uses fragments and lostFragments, too. */
     uint64_t fragments;     /* primitives that cover a sample of a pixel, also those for which the lists had no room */
     uint64_t mergedFirst;   /* fragments merged into a surface of similar normal whose depths overlap */
@@ -51,9 +51,9 @@ typedef struct AgaaCounters {
                                maxBatches */
     uint64_t pixelsByEvents[6]; /* pixels with one shading event, with two, with more up to 4, 8 and 16, and with
                                    more than 16. 0 for "msaa" */
-    uint64_t lightEvaluations; /* lights that shading events evaluated, shadowed or not, times shadingCost; "msaa"
-                                  counts per fragment. With a debug view, "adaptive" counts its first samples only */
-    uint64_t reserved[2];      /* 0 */
+    uint64_t lightEvaluations;  /* lights that shading events evaluated, shadowed or not, times shadingCost; "msaa"
+                                   counts per fragment. With a debug view, "adaptive" counts its first samples only */
+    uint64_t reserved[2];       /* 0 */
 } AgaaCounters;
 
 #define AGAA_MAX_PASSES 32
@@ -88,21 +88,22 @@ typedef struct AgaaFrameStatistics {
     uint32_t reserved;
     AgaaPassTime passes[AGAA_MAX_PASSES]; /* the first passCount elements are set */
     /* Facts of the variant that the frame ran with (agaaPrepareVariants). */
-    uint64_t variantFlags;       /* AGAA_FACT_… */
+    uint64_t variantFlags; /* AGAA_FACT_… */
     uint32_t variantShadowMaps;
     /* The members from here on describe the view since it was created or resized, when the statistics are read. */
-    uint32_t variantCount;       /* variants that frames may run with, >= 1: the variant of the view's facts, and the
-                                    prepared ones */
-    double compileMilliseconds;  /* elapsed time to create the pipelines or programs of the SDK's compute passes */
-    uint32_t compiledPipelines;  /* pipelines or programs that were created; variants share equal pipelines */
-    uint32_t cachedPipelines;    /* programs among these that came from an AgaaGlProgramCache; 0 on Vulkan, where
-                                    only the driver knows */
+    uint32_t variantCount;      /* variants that frames may run with, >= 1: the variant of the view's facts, and the
+                                   prepared ones */
+    double compileMilliseconds; /* elapsed time to create the pipelines or programs of the SDK's compute passes */
+    uint32_t compiledPipelines; /* pipelines or programs that were created; variants share equal pipelines */
+    uint32_t cachedPipelines;   /* programs among these that came from an AgaaGlProgramCache; 0 on Vulkan, where
+                                   only the driver knows */
 } AgaaFrameStatistics;
-#define AGAA_FRAME_STATISTICS_INIT                                                                  \
-    {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0, \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, {0}}, 0, 0, \
-     {{{0}, 0, 0, 0.0, {0, 0}}}, \
-     0, 0, 0, 0.0, 0, 0}
+#define AGAA_FRAME_STATISTICS_INIT                                                                                     \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0,           \
+            {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, {0}}, 0, 0,                  \
+            {{{0}, 0, 0, 0.0, {0, 0}}}, 0, 0, 0, 0.0, 0, 0                                                             \
+    }
 AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatistics, size_t structSize);
 
 /* Reads the statistics of the newest completely recorded frame that is not after completedFrame.
@@ -140,18 +141,22 @@ typedef struct AgaaFrameValidation {
     const void* pNext; /* null */
     uint64_t frameIndex;
     uint64_t visible, once, uncovered, overlapping, ties; /* samples, as in AgaaCounters */
-    uint64_t misplaced;     /* fragments, as in AgaaCounters */
-    uint64_t unannounced;   /* fragments, as in AgaaCounters */
-    uint64_t invalidPixels; /* pixels with uncovered or overlapping samples */
-    uint32_t isValid;       /* 1: something is visible, nothing is uncovered, overlapping or unannounced, and
-                               misplaced is at most a hundredth of visible */
+    uint64_t misplaced;                                   /* fragments, as in AgaaCounters */
+    uint64_t unannounced;                                 /* fragments, as in AgaaCounters */
+    uint64_t invalidPixels;                               /* pixels with uncovered or overlapping samples */
+    uint32_t isValid; /* 1: something is visible, nothing is uncovered, overlapping or unannounced, and
+                         misplaced is at most a hundredth of visible */
     uint32_t pixelCount;
     AgaaInvalidPixel pixels[AGAA_MAX_INVALID_PIXELS]; /* the first pixelCount invalid pixels */
-    char explanation[512];  /* the findings and their usual cause */
+    char explanation[512];                            /* the findings and their usual cause */
 } AgaaFrameValidation;
-#define AGAA_FRAME_VALIDATION_INIT                                                                  \
-    {AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, (uint32_t)sizeof(AgaaFrameValidation), NULL, 0, 0, 0, 0, 0, 0, \
-     0, 0, 0, 0, 0, {{0, 0, {0}, {0}, {0}, {0}}}, {0}}
+#define AGAA_FRAME_VALIDATION_INIT                                                                                     \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, (uint32_t)sizeof(AgaaFrameValidation), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0,  \
+            0, 0, {{0, 0, {0}, {0}, {0}, {0}}}, {                                                                      \
+            0                                                                                                          \
+        }                                                                                                              \
+    }
 AGAA_API void AGAA_CALL agaaInitFrameValidation(AgaaFrameValidation* outValidation, size_t structSize);
 
 /* Validates the frame that agaaGetFrameStatistics would report.
@@ -179,11 +184,11 @@ AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t complete
 typedef struct AgaaFactReport {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;       /* null */
-    uint64_t frameIndex;     /* the frame that was inspected */
-    uint64_t inspected;      /* materials */
+    const void* pNext;   /* null */
+    uint64_t frameIndex; /* the frame that was inspected */
+    uint64_t inspected;  /* materials */
     /* Numbers of inspected materials: */
-    uint64_t withSpecular;    /* materials with specular reflectance */
+    uint64_t withSpecular; /* materials with specular reflectance */
     uint64_t withEmission;
     uint64_t alphaMasked;
     uint64_t otherRoughness;  /* materials whose roughness is not AgaaSceneFacts::alpha2 */
@@ -198,19 +203,23 @@ typedef struct AgaaFactReport {
                                  do not count */
     /* Lights, shadows and ambient light of the frame: */
     uint32_t lightCount;
-    uint32_t localLights;     /* point and spot lights */
+    uint32_t localLights; /* point and spot lights */
     uint32_t shadowCount;
-    uint32_t hasAmbient;      /* 1: AgaaFrame::ambient is not 0 */
+    uint32_t hasAmbient; /* 1: AgaaFrame::ambient is not 0 */
     /* Bits of AgaaSceneFacts::flags: */
-    uint64_t contradicted;   /* facts of the view that the frame contradicts: effects that the frame needs and the
-                                view left out, and common values that a material does not have */
-    uint64_t sufficient;     /* the facts that describe this frame, with the fewest effects. CUSTOM_DEPTH is the same
-                                as in the view */
-    char explanation[512];   /* the findings */
+    uint64_t contradicted; /* facts of the view that the frame contradicts: effects that the frame needs and the
+                              view left out, and common values that a material does not have */
+    uint64_t sufficient;   /* the facts that describe this frame, with the fewest effects. CUSTOM_DEPTH is the same
+                              as in the view */
+    char explanation[512]; /* the findings */
 } AgaaFactReport;
-#define AGAA_FACT_REPORT_INIT                                                                       \
-    {AGAA_STRUCTURE_TYPE_FACT_REPORT, (uint32_t)sizeof(AgaaFactReport), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-     0, 0, 0, 0, 0, 0, 0, 0, {0}}
+#define AGAA_FACT_REPORT_INIT                                                                                          \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_FACT_REPORT, (uint32_t)sizeof(AgaaFactReport), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   \
+            0, 0, 0, 0, 0, 0, {                                                                                        \
+            0                                                                                                          \
+        }                                                                                                              \
+    }
 AGAA_API void AGAA_CALL agaaInitFactReport(AgaaFactReport* outReport, size_t structSize);
 
 /* Compares the facts of a view with the frame that agaaGetFrameStatistics would report. The first contradiction of a

@@ -26,18 +26,25 @@ static GBuffer gbuffer;
 static void createImage(const Host* host, int i) {
     const int isDepth = i == depthImage;
     const VkImageCreateInfo image = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO, .imageType = VK_IMAGE_TYPE_2D, .extent = {width, height, 1},
-        .format = formats[i], .mipLevels = 1, .arrayLayers = 1, .samples = (VkSampleCountFlagBits)samples,
-        .usage = VK_IMAGE_USAGE_SAMPLED_BIT | (isDepth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
-                                                       : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT)};
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .imageType = VK_IMAGE_TYPE_2D,
+        .extent = {width, height, 1},
+        .format = formats[i],
+        .mipLevels = 1,
+        .arrayLayers = 1,
+        .samples = (VkSampleCountFlagBits)samples,
+        .usage = VK_IMAGE_USAGE_SAMPLED_BIT |
+                 (isDepth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT)};
     VkMemoryRequirements needed;
     CHECK(vkCreateImage(host->device, &image, NULL, &gbuffer.images[i]));
     vkGetImageMemoryRequirements(host->device, gbuffer.images[i], &needed);
     allocate(host, &needed, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, &gbuffer.memory[i]);
     CHECK(vkBindImageMemory(host->device, gbuffer.images[i], gbuffer.memory[i], 0));
     const VkImageViewCreateInfo view = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO, .image = gbuffer.images[i],
-        .viewType = VK_IMAGE_VIEW_TYPE_2D, .format = formats[i],
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+        .image = gbuffer.images[i],
+        .viewType = VK_IMAGE_VIEW_TYPE_2D,
+        .format = formats[i],
         .subresourceRange = {isDepth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
     CHECK(vkCreateImageView(host->device, &view, NULL, &gbuffer.views[i]));
 }
@@ -54,22 +61,31 @@ static void createRenderPass(const Host* host) {
                                              {normalImage, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}};
     const VkAttachmentReference depth = {depthImage, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
     const VkSubpassDescription subpass = {.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS,
-                                          .colorAttachmentCount = 2, .pColorAttachments = colors,
+                                          .colorAttachmentCount = 2,
+                                          .pColorAttachments = colors,
                                           .pDepthStencilAttachment = &depth};
     const VkSubpassDependency toCompute = {
-        .dstSubpass = VK_SUBPASS_EXTERNAL, .dstStageMask = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+        .dstSubpass = VK_SUBPASS_EXTERNAL,
+        .dstStageMask = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
         .dstAccessMask = VK_ACCESS_SHADER_READ_BIT,
         .srcStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT |
                         VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT,
         .srcAccessMask = VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
-    const VkRenderPassCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO, .attachmentCount = imageCount, .pAttachments = attachments,
-        .subpassCount = 1, .pSubpasses = &subpass, .dependencyCount = 1, .pDependencies = &toCompute};
+    const VkRenderPassCreateInfo info = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                                         .attachmentCount = imageCount,
+                                         .pAttachments = attachments,
+                                         .subpassCount = 1,
+                                         .pSubpasses = &subpass,
+                                         .dependencyCount = 1,
+                                         .pDependencies = &toCompute};
     for (int i = 0; i < imageCount; ++i)
-        attachments[i] = (VkAttachmentDescription){
-            .format = formats[i], .samples = (VkSampleCountFlagBits)samples, .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-            .storeOp = VK_ATTACHMENT_STORE_OP_STORE, .stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-            .stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE, .finalLayout = readLayout(i)};
+        attachments[i] = (VkAttachmentDescription){.format = formats[i],
+                                                   .samples = (VkSampleCountFlagBits)samples,
+                                                   .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                   .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                                   .stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                                                   .stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
+                                                   .finalLayout = readLayout(i)};
     CHECK(vkCreateRenderPass(host->device, &info, NULL, &gbuffer.renderPass));
 }
 
@@ -77,9 +93,13 @@ static void createGBuffer(const Host* host) {
     for (int i = 0; i < imageCount; ++i)
         createImage(host, i);
     createRenderPass(host);
-    const VkFramebufferCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO, .renderPass = gbuffer.renderPass,
-        .attachmentCount = imageCount, .pAttachments = gbuffer.views, .width = width, .height = height, .layers = 1};
+    const VkFramebufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                                          .renderPass = gbuffer.renderPass,
+                                          .attachmentCount = imageCount,
+                                          .pAttachments = gbuffer.views,
+                                          .width = width,
+                                          .height = height,
+                                          .layers = 1};
     CHECK(vkCreateFramebuffer(host->device, &info, NULL, &gbuffer.framebuffer));
 }
 
@@ -87,27 +107,33 @@ static void createGBuffer(const Host* host) {
 static void createSet(Host* host) {
     const VkSamplerCreateInfo sampler = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO}; /* texelFetch() ignores it */
     const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, imageCount};
-    const VkDescriptorPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1,
-                                             .poolSizeCount = 1, .pPoolSizes = &size};
+    const VkDescriptorPoolCreateInfo pool = {
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &size};
     VkDescriptorSetLayoutBinding bindings[imageCount];
     const VkDescriptorSetLayoutCreateInfo layout = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                                                    .bindingCount = imageCount, .pBindings = bindings};
+                                                    .bindingCount = imageCount,
+                                                    .pBindings = bindings};
     CHECK(vkCreateSampler(host->device, &sampler, NULL, &gbuffer.sampler));
     CHECK(vkCreateDescriptorPool(host->device, &pool, NULL, &gbuffer.pool));
     for (int i = 0; i < imageCount; ++i)
-        bindings[i] = (VkDescriptorSetLayoutBinding){
-            .binding = (uint32_t)i, .descriptorType = size.type, .descriptorCount = 1,
-            .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
+        bindings[i] = (VkDescriptorSetLayoutBinding){.binding = (uint32_t)i,
+                                                     .descriptorType = size.type,
+                                                     .descriptorCount = 1,
+                                                     .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
     CHECK(vkCreateDescriptorSetLayout(host->device, &layout, NULL, &gbuffer.layout));
-    const VkDescriptorSetAllocateInfo allocation = {
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, .descriptorPool = gbuffer.pool,
-        .descriptorSetCount = 1, .pSetLayouts = &gbuffer.layout};
+    const VkDescriptorSetAllocateInfo allocation = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                                    .descriptorPool = gbuffer.pool,
+                                                    .descriptorSetCount = 1,
+                                                    .pSetLayouts = &gbuffer.layout};
     CHECK(vkAllocateDescriptorSets(host->device, &allocation, &host->functionSet));
     for (int i = 0; i < imageCount; ++i) {
         const VkDescriptorImageInfo image = {gbuffer.sampler, gbuffer.views[i], readLayout(i)};
-        const VkWriteDescriptorSet write = {
-            .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .dstSet = host->functionSet, .dstBinding = (uint32_t)i,
-            .descriptorCount = 1, .descriptorType = size.type, .pImageInfo = &image};
+        const VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                            .dstSet = host->functionSet,
+                                            .dstBinding = (uint32_t)i,
+                                            .descriptorCount = 1,
+                                            .descriptorType = size.type,
+                                            .pImageInfo = &image};
         vkUpdateDescriptorSets(host->device, 1, &write, 0, NULL);
     }
 }
@@ -139,10 +165,12 @@ static void createGBufferPass(Host* host) {
 
 static void drawGBuffer(const Host* host, VkCommandBuffer commands) {
     const VkClearValue clear[imageCount] = {[depthImage] = {.depthStencil = {1.0f, 0}}};
-    const VkRenderPassBeginInfo begin = {
-        .sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO, .renderPass = gbuffer.renderPass,
-        .framebuffer = gbuffer.framebuffer, .renderArea = {{0, 0}, {width, height}}, .clearValueCount = imageCount,
-        .pClearValues = clear};
+    const VkRenderPassBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
+                                         .renderPass = gbuffer.renderPass,
+                                         .framebuffer = gbuffer.framebuffer,
+                                         .renderArea = {{0, 0}, {width, height}},
+                                         .clearValueCount = imageCount,
+                                         .pClearValues = clear};
     AgaaDrawTarget target = {0};
     target.commandBuffer = commands, target.descriptorSet = (uint64_t)host->functionSet; /* bound, but not read */
     target.width = width, target.height = height;

@@ -28,10 +28,15 @@ static EGLDisplay findDisplay(void) {
 
 /* Creates a context without a window, of the version that needs no extensions for the SDK. */
 static EGLDisplay createDisplay(const AgaaGlRequirements* sdk) {
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, (EGLint)sdk->completeMajorVersion,
-                                 EGL_CONTEXT_MINOR_VERSION, (EGLint)sdk->completeMinorVersion,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE};
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 (EGLint)sdk->completeMajorVersion,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 (EGLint)sdk->completeMinorVersion,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_CONTEXT_OPENGL_DEBUG,
+                                 EGL_TRUE,
+                                 EGL_NONE};
     const EGLDisplay display = findDisplay();
     require(eglInitialize(display, NULL, NULL) && eglBindAPI(EGL_OPENGL_API), "EGL offers no OpenGL without a window.");
     const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
@@ -77,8 +82,7 @@ static AgaaContext createContext(void) {
     return context;
 }
 
-static void attach(GLuint program, GLenum stage, const char* extensions, const char* declarations,
-                   const char* code) {
+static void attach(GLuint program, GLenum stage, const char* extensions, const char* declarations, const char* code) {
     const char* const pieces[] = {"#version 450\n", extensions, declarations, code};
     const GLuint shader = glCreateShader(stage);
     char message[1024] = "";

@@ -35,35 +35,34 @@ static void AGAA_CALL onLog(void* user, uint32_t severity, AgaaResult code, cons
 
 /* Five crossing blades in shading space, which has the world's axes and its origin at the eye. An engine subtracts
  * the eye on the CPU, in double precision. */
-#define SCENE_CODE                                                                                                \
+#define SCENE_CODE                                                                                                     \
     "vec2 corner(float i, int k) { return k < 2 ? vec2(i - 2.0 + 0.1 * float(k), 0.0) : vec2(1.6 - 0.8 * i, 2.4); }\n" \
-    "vec3 bladeCorner(float i, int k) { return vec3(corner(i, k), 0.1 * i) - vec3(0.0, 1.2, 3.0); }\n"            \
+    "vec3 bladeCorner(float i, int k) { return vec3(corner(i, k), 0.1 * i) - vec3(0.0, 1.2, 3.0); }\n"                 \
     "vec3 bladeColor(float i) { return vec3(0.2 + 0.1 * i, 0.7 - 0.1 * i, 0.1); }\n"
 
 /* The vertex shader, after the macro VERTEX (the vertex index) and the uniform clipFromShading. All passes share it,
  * because their depths must be equal. */
-static const char vertexCode[] = SCENE_CODE
-    "layout(location = 0) out vec3 position;\n"
-    "layout(location = 1) flat out vec3 color;\n"
-    "invariant gl_Position;\n"
-    "void main() {\n"
-    "    position = bladeCorner(float(VERTEX / 3), VERTEX % 3), color = bladeColor(float(VERTEX / 3));\n"
-    "    gl_Position = clipFromShading * vec4(position, 1.0);\n"
-    "}\n";
+static const char vertexCode[] =
+    SCENE_CODE "layout(location = 0) out vec3 position;\n"
+               "layout(location = 1) flat out vec3 color;\n"
+               "invariant gl_Position;\n"
+               "void main() {\n"
+               "    position = bladeCorner(float(VERTEX / 3), VERTEX % 3), color = bladeColor(float(VERTEX / 3));\n"
+               "    gl_Position = clipFromShading * vec4(position, 1.0);\n"
+               "}\n";
 
 /* The fragment shader, after the version, the pass's extensions and the pass's declarations. */
-static const char materialCode[] =
-    "layout(location = 0) in vec3 position;\n"
-    "layout(location = 1) flat in vec3 color;\n"
-    "void main() {\n"
-    "    AgaaSurfaceInput s = agaa_surfaceInput();\n"
-    "    s.position = AGAA_INSIDE(position);\n"
-    "    s.geometricNormal = agaa_planeNormal(position);\n"
-    "#if AGAA_NEEDS_MATERIAL\n"
-    "    s.diffuse = color; // the normal stays (0, 0, 1): the blades face the camera\n"
-    "#endif\n"
-    "    agaa_emit(s);\n"
-    "}\n";
+static const char materialCode[] = "layout(location = 0) in vec3 position;\n"
+                                   "layout(location = 1) flat in vec3 color;\n"
+                                   "void main() {\n"
+                                   "    AgaaSurfaceInput s = agaa_surfaceInput();\n"
+                                   "    s.position = AGAA_INSIDE(position);\n"
+                                   "    s.geometricNormal = agaa_planeNormal(position);\n"
+                                   "#if AGAA_NEEDS_MATERIAL\n"
+                                   "    s.diffuse = color; // the normal stays (0, 0, 1): the blades face the camera\n"
+                                   "#endif\n"
+                                   "    agaa_emit(s);\n"
+                                   "}\n";
 
 /* Describes the view: the settings, and the facts of the scene. The plan drops all effects that the facts do not
  * name. */
@@ -72,7 +71,7 @@ static AgaaViewDesc describeView(void) {
     static AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
     config.flags = AGAA_CONFIG_COUNTERS; /* counters help with an integration (AgaaFrameStatistics), but cost time */
-    facts.flags = 0; /* AGAA_FACT_...: no specular light, no ambient light, no emission */
+    facts.flags = 0;                     /* AGAA_FACT_...: no specular light, no ambient light, no emission */
     facts.maxLights = 1;
     facts.shadowMapCount = 0;
     desc.width = width, desc.height = height;
@@ -83,8 +82,10 @@ static AgaaViewDesc describeView(void) {
 /* Describes a frame. y points down, so that row 0 of the output is the top of the image. The near plane is at clip z
  * = nearZ, the far plane at 1. */
 static AgaaFrame describeFrame(uint64_t frameIndex, float nearZ) {
-    static const AgaaLight sun = {.type = AGAA_LIGHT_DIRECTIONAL, .shadowMap = AGAA_NO_SHADOW,
-                                  .direction = {0.0f, -0.6f, -0.8f}, .color = {3.0f, 2.9f, 2.7f}};
+    static const AgaaLight sun = {.type = AGAA_LIGHT_DIRECTIONAL,
+                                  .shadowMap = AGAA_NO_SHADOW,
+                                  .direction = {0.0f, -0.6f, -0.8f},
+                                  .color = {3.0f, 2.9f, 2.7f}};
     const float focal = 1.7320508f; /* vertical field of view of 60 degrees */
     const float nearest = 0.1f, farthest = 100.0f, depth = farthest - nearest;
     AgaaFrame frame = AGAA_FRAME_INIT; /* the view matrix is the identity: the camera looks along -z */

@@ -11,8 +11,12 @@
  * fetch functions read the same buffer. */
 typedef struct Geometry {
     float camera[16]; /* shading space to clip space */
-    struct { uint32_t firstVertex, unused[3]; } draws[drawCount];
-    struct { float position[4], color[4]; } vertices[vertexCount];
+    struct {
+        uint32_t firstVertex, unused[3];
+    } draws[drawCount];
+    struct {
+        float position[4], color[4];
+    } vertices[vertexCount];
 } Geometry;
 
 /* Returns the scene of SCENE_CODE. */
@@ -34,46 +38,45 @@ static Geometry describeGeometry(float nearZ) {
     return geometry;
 }
 
-#define GEOMETRY_CODE(AT)                                                                                        \
-    "struct Vertex { vec4 position, color; };\n"                                                                 \
+#define GEOMETRY_CODE(AT)                                                                                              \
+    "struct Vertex { vec4 position, color; };\n"                                                                       \
     "layout(std430, " AT ") readonly buffer Geometry { mat4 camera; uvec4 draws[2]; Vertex vertices[]; };\n"
 
 /* Replaces vertexCode. VERTEX and DRAW, the number of the draw, must be defined before. */
-#define ID_VERTEX_CODE(AT)                                                                                       \
-    GEOMETRY_CODE(AT)                                                                                            \
-    "layout(location = 0) out vec3 position;\n"                                                                  \
-    "layout(location = 1) flat out uint number;\n"                                                               \
-    "invariant gl_Position;\n"                                                                                   \
-    "void main() {\n"                                                                                            \
-    "    position = vertices[VERTEX].position.xyz, number = DRAW;\n"                                             \
-    "    gl_Position = camera * vec4(position, 1.0);\n"                                                          \
+#define ID_VERTEX_CODE(AT)                                                                                             \
+    GEOMETRY_CODE(AT)                                                                                                  \
+    "layout(location = 0) out vec3 position;\n"                                                                        \
+    "layout(location = 1) flat out uint number;\n"                                                                     \
+    "invariant gl_Position;\n"                                                                                         \
+    "void main() {\n"                                                                                                  \
+    "    position = vertices[VERTEX].position.xyz, number = DRAW;\n"                                                   \
+    "    gl_Position = camera * vec4(position, 1.0);\n"                                                                \
     "}\n"
 
 /* Replaces materialCode in the visibility pass. */
-static const char idCode[] =
-    "layout(location = 0) in vec3 position;\n"
-    "layout(location = 1) flat in uint number;\n"
-    "void main() {\n"
-    "    AgaaSurfaceInput s = agaa_surfaceInput();\n"
-    "    s.position = AGAA_INSIDE(position);\n"
-    "    s.draw = number;\n"
-    "    s.primitive = uint(gl_PrimitiveID); // counts from 0 in each draw\n"
-    "    agaa_emit(s);\n"
-    "}\n";
+static const char idCode[] = "layout(location = 0) in vec3 position;\n"
+                             "layout(location = 1) flat in uint number;\n"
+                             "void main() {\n"
+                             "    AgaaSurfaceInput s = agaa_surfaceInput();\n"
+                             "    s.position = AGAA_INSIDE(position);\n"
+                             "    s.draw = number;\n"
+                             "    s.primitive = uint(gl_PrimitiveID); // counts from 0 in each draw\n"
+                             "    agaa_emit(s);\n"
+                             "}\n";
 
 /* Provides triangles and their materials. The material of an engine would read textures. */
-#define FETCH_CODE(AT)                                                                                           \
-    GEOMETRY_CODE(AT)                                                                                            \
-    "uint firstVertex(uint draw, uint primitive) { return draws[draw].x + 3u * primitive; }\n"                   \
-    "vec4 clipPosition(uint vertex) { return camera * vec4(vertices[vertex].position.xyz, 1.0); }\n"             \
-    "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {\n"             \
-    "    uint first = firstVertex(draw, primitive);\n"                                                           \
-    "    a = clipPosition(first);\n"                                                                             \
-    "    b = clipPosition(first + 1u);\n"                                                                        \
-    "    c = clipPosition(first + 2u);\n"                                                                        \
-    "}\n"                                                                                                        \
-    "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {\n"                                           \
-    "    uint first = firstVertex(p.draw, p.primitive);\n"                                                       \
-    "    m.diffuse = p.at.x * vertices[first].color.rgb + p.at.y * vertices[first + 1u].color.rgb\n"             \
-    "              + p.at.z * vertices[first + 2u].color.rgb;\n"                                                 \
+#define FETCH_CODE(AT)                                                                                                 \
+    GEOMETRY_CODE(AT)                                                                                                  \
+    "uint firstVertex(uint draw, uint primitive) { return draws[draw].x + 3u * primitive; }\n"                         \
+    "vec4 clipPosition(uint vertex) { return camera * vec4(vertices[vertex].position.xyz, 1.0); }\n"                   \
+    "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {\n"                   \
+    "    uint first = firstVertex(draw, primitive);\n"                                                                 \
+    "    a = clipPosition(first);\n"                                                                                   \
+    "    b = clipPosition(first + 1u);\n"                                                                              \
+    "    c = clipPosition(first + 2u);\n"                                                                              \
+    "}\n"                                                                                                              \
+    "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {\n"                                                 \
+    "    uint first = firstVertex(p.draw, p.primitive);\n"                                                             \
+    "    m.diffuse = p.at.x * vertices[first].color.rgb + p.at.y * vertices[first + 1u].color.rgb\n"                   \
+    "              + p.at.z * vertices[first + 2u].color.rgb;\n"                                                       \
     "}\n"

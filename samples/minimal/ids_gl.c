@@ -31,7 +31,7 @@ static void createView(Host* host) {
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = fetchCode;
     function.maxDraws = drawCount;
-    function.maxPrimitives = vertexCount / 3; /* upper bound for one draw */
+    function.maxPrimitives = vertexCount / 3;     /* upper bound for one draw */
     desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* the host does not call glClipControl */
     desc.pNext = &function;
     CHECK(agaaGlCreateView(host->context, &desc, &host->view));

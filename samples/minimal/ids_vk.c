@@ -21,7 +21,8 @@ typedef struct Fetch {
 
 static void createGeometry(const Host* host, Fetch* fetch) {
     const Geometry geometry = describeGeometry(0.0f);
-    const VkBufferCreateInfo buffer = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = sizeof geometry,
+    const VkBufferCreateInfo buffer = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                       .size = sizeof geometry,
                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT};
     VkMemoryRequirements needed;
     CHECK(vkCreateBuffer(host->device, &buffer, NULL, &fetch->geometry));
@@ -31,18 +32,23 @@ static void createGeometry(const Host* host, Fetch* fetch) {
 }
 
 static void createSet(Host* host, Fetch* fetch) {
-    const VkDescriptorSetLayoutBinding binding = {.binding = 0, .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                                  .descriptorCount = 1, .stageFlags = VK_SHADER_STAGE_ALL};
+    const VkDescriptorSetLayoutBinding binding = {.binding = 0,
+                                                  .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                                  .descriptorCount = 1,
+                                                  .stageFlags = VK_SHADER_STAGE_ALL};
     const VkDescriptorSetLayoutCreateInfo layout = {
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, .bindingCount = 1, .pBindings = &binding};
     const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1};
-    const VkDescriptorPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1,
-                                             .poolSizeCount = 1, .pPoolSizes = &size};
+    const VkDescriptorPoolCreateInfo pool = {
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &size};
     VkDescriptorSetAllocateInfo allocation = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-                                              .descriptorSetCount = 1, .pSetLayouts = &fetch->layout};
+                                              .descriptorSetCount = 1,
+                                              .pSetLayouts = &fetch->layout};
     const VkDescriptorBufferInfo geometry = {fetch->geometry, 0, VK_WHOLE_SIZE};
-    VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .descriptorCount = 1,
-                                  .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .pBufferInfo = &geometry};
+    VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                  .descriptorCount = 1,
+                                  .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                  .pBufferInfo = &geometry};
     CHECK(vkCreateDescriptorSetLayout(host->device, &layout, NULL, &fetch->layout));
     CHECK(vkCreateDescriptorPool(host->device, &pool, NULL, &fetch->pool));
     allocation.descriptorPool = fetch->pool;

@@ -24,7 +24,7 @@ typedef struct Host {
     uint64_t keys[maxPasses];
     VkPipelineLayout layouts[maxPasses];
     VkPipeline pipelines[maxPasses];
-    VkDescriptorSet functionSet; /* set of the host's functions; null in minimal_vk */
+    VkDescriptorSet functionSet;     /* set of the host's functions; null in minimal_vk */
     VkDescriptorSetLayout vertexSet; /* layout of functionSet if vertex shaders read it, too */
     void (*recordHostPass)(const struct Host*, VkCommandBuffer); /* records the host's pass, or NULL */
     AgaaFrame frame;
@@ -32,19 +32,22 @@ typedef struct Host {
 
 /* The features that agaaVkGetRequirements requires. ids_vk adds one more. Dynamic rendering is optional and stays
  * off. */
-static VkPhysicalDeviceFeatures2 enabledFeatures = {
-    .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
-    .features = {.fragmentStoresAndAtomics = VK_TRUE, .sampleRateShading = VK_TRUE,
-                 .shaderStorageImageExtendedFormats = VK_TRUE, .shaderStorageImageWriteWithoutFormat = VK_TRUE}};
+static VkPhysicalDeviceFeatures2 enabledFeatures = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
+                                                    .features = {.fragmentStoresAndAtomics = VK_TRUE,
+                                                                 .sampleRateShading = VK_TRUE,
+                                                                 .shaderStorageImageExtendedFormats = VK_TRUE,
+                                                                 .shaderStorageImageWriteWithoutFormat = VK_TRUE}};
 
 /* Creates the first device with its first queue family, which supports graphics and compute on every common driver. */
 static void createDevice(Host* host) {
     const VkApplicationInfo app = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_2};
     const VkInstanceCreateInfo instance = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, .pApplicationInfo = &app};
-    const VkDeviceQueueCreateInfo queue = {.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                           .queueCount = 1, .pQueuePriorities = (float[]){1.0f}};
-    const VkDeviceCreateInfo device = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, .pNext = &enabledFeatures,
-                                       .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue};
+    const VkDeviceQueueCreateInfo queue = {
+        .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, .queueCount = 1, .pQueuePriorities = (float[]){1.0f}};
+    const VkDeviceCreateInfo device = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                       .pNext = &enabledFeatures,
+                                       .queueCreateInfoCount = 1,
+                                       .pQueueCreateInfos = &queue};
     uint32_t count = 1;
     CHECK(vkCreateInstance(&instance, NULL, &host->instance));
     CHECK(vkEnumeratePhysicalDevices(host->instance, &count, &host->physicalDevice));
@@ -70,10 +73,15 @@ static void* allocate(const Host* host, const VkMemoryRequirements* needed, VkFl
 
 /* Creates a linear, mapped image, so that the CPU can read the output. An engine passes its own image. */
 static const float* createOutput(Host* host) {
-    const VkImageCreateInfo image = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO, .imageType = VK_IMAGE_TYPE_2D, .extent = {width, height, 1},
-        .format = VK_FORMAT_R32G32B32A32_SFLOAT, .mipLevels = 1, .arrayLayers = 1, .samples = VK_SAMPLE_COUNT_1_BIT,
-        .tiling = VK_IMAGE_TILING_LINEAR, .usage = VK_IMAGE_USAGE_STORAGE_BIT};
+    const VkImageCreateInfo image = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                     .imageType = VK_IMAGE_TYPE_2D,
+                                     .extent = {width, height, 1},
+                                     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                     .mipLevels = 1,
+                                     .arrayLayers = 1,
+                                     .samples = VK_SAMPLE_COUNT_1_BIT,
+                                     .tiling = VK_IMAGE_TILING_LINEAR,
+                                     .usage = VK_IMAGE_USAGE_STORAGE_BIT};
     const VkImageSubresource color = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0};
     VkImageFormatProperties limits;
     VkSubresourceLayout rows;
@@ -86,9 +94,11 @@ static const float* createOutput(Host* host) {
     require(rows.offset == 0 && rows.rowPitch == width * 4 * sizeof(float), "The rows of the image have gaps.");
     const void* pixels = allocate(host, &needed, mappedMemory, &host->outputMemory);
     CHECK(vkBindImageMemory(host->device, host->output, host->outputMemory, 0));
-    const VkImageViewCreateInfo view = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO, .image = host->output, .viewType = VK_IMAGE_VIEW_TYPE_2D,
-        .format = image.format, .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    const VkImageViewCreateInfo view = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                        .image = host->output,
+                                        .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                        .format = image.format,
+                                        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
     CHECK(vkCreateImageView(host->device, &view, NULL, &host->outputView));
     return pixels;
 }
@@ -107,14 +117,19 @@ static void createContext(Host* host) {
     CHECK(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &host->context));
 }
 
-static VkShaderModule compile(const Host* host, glslang_stage_t stage, const char* extensions,
-                              const char* declarations, const char* code) {
+static VkShaderModule compile(const Host* host, glslang_stage_t stage, const char* extensions, const char* declarations,
+                              const char* code) {
     static char text[1 << 18];
     const glslang_messages_t messages = GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT;
-    const glslang_input_t input = {
-        .language = GLSLANG_SOURCE_GLSL, .stage = stage, .code = text, .resource = glslang_default_resource(),
-        .client = GLSLANG_CLIENT_VULKAN, .client_version = GLSLANG_TARGET_VULKAN_1_2, .messages = messages,
-        .target_language = GLSLANG_TARGET_SPV, .target_language_version = GLSLANG_TARGET_SPV_1_5};
+    const glslang_input_t input = {.language = GLSLANG_SOURCE_GLSL,
+                                   .stage = stage,
+                                   .code = text,
+                                   .resource = glslang_default_resource(),
+                                   .client = GLSLANG_CLIENT_VULKAN,
+                                   .client_version = GLSLANG_TARGET_VULKAN_1_2,
+                                   .messages = messages,
+                                   .target_language = GLSLANG_TARGET_SPV,
+                                   .target_language_version = GLSLANG_TARGET_SPV_1_5};
     const int length = snprintf(text, sizeof text, "#version 450\n%s%s%s", extensions, declarations, code);
     glslang_program_t* program = glslang_program_create();
     glslang_shader_t* shader = glslang_shader_create(&input);
@@ -125,9 +140,9 @@ static VkShaderModule compile(const Host* host, glslang_stage_t stage, const cha
     glslang_program_add_shader(program, shader);
     require(glslang_program_link(program, messages), glslang_program_get_info_log(program));
     glslang_program_SPIRV_generate(program, stage);
-    const VkShaderModuleCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .pCode = glslang_program_SPIRV_get_ptr(program),
-        .codeSize = glslang_program_SPIRV_get_size(program) * sizeof(uint32_t)};
+    const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                           .pCode = glslang_program_SPIRV_get_ptr(program),
+                                           .codeSize = glslang_program_SPIRV_get_size(program) * sizeof(uint32_t)};
     CHECK(vkCreateShaderModule(host->device, &info, NULL, &module));
     glslang_program_delete(program);
     glslang_shader_delete(shader);
@@ -141,16 +156,21 @@ static void createPass(Host* host, uint32_t i, const AgaaDrawPass* sdk, VkShader
         compile(host, GLSLANG_STAGE_FRAGMENT, sdk->glslExtensions, sdk->glslDeclarations, code);
     const VkDescriptorSetLayout sets[2] = {(VkDescriptorSetLayout)vk->descriptorSetLayout, host->vertexSet};
     const VkPushConstantRange push = {VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection};
-    const VkPipelineLayoutCreateInfo layout = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = host->vertexSet ? 2 : 1,
-        .pSetLayouts = sets, .pushConstantRangeCount = 1, .pPushConstantRanges = &push};
-    const VkPipelineShaderStageCreateInfo stages[2] = {
-        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = VK_SHADER_STAGE_VERTEX_BIT,
-         .module = vertex, .pName = "main"},
-        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = VK_SHADER_STAGE_FRAGMENT_BIT,
-         .module = fragment, .pName = "main"}};
-    const VkPipelineVertexInputStateCreateInfo input = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    const VkPipelineLayoutCreateInfo layout = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                               .setLayoutCount = host->vertexSet ? 2 : 1,
+                                               .pSetLayouts = sets,
+                                               .pushConstantRangeCount = 1,
+                                               .pPushConstantRanges = &push};
+    const VkPipelineShaderStageCreateInfo stages[2] = {{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                                        .stage = VK_SHADER_STAGE_VERTEX_BIT,
+                                                        .module = vertex,
+                                                        .pName = "main"},
+                                                       {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                                        .stage = VK_SHADER_STAGE_FRAGMENT_BIT,
+                                                        .module = fragment,
+                                                        .pName = "main"}};
+    const VkPipelineVertexInputStateCreateInfo input = {.sType =
+                                                            VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     const VkPipelineInputAssemblyStateCreateInfo assembly = {
         VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
     const VkPipelineViewportStateCreateInfo viewport = {
@@ -160,32 +180,50 @@ static void createPass(Host* host, uint32_t i, const AgaaDrawPass* sdk, VkShader
     const VkPipelineMultisampleStateCreateInfo multisample = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = (VkSampleCountFlagBits)sdk->state.samples,
-        .sampleShadingEnable = sdk->state.sampleShading, .minSampleShading = 1.0f};
+        .sampleShadingEnable = sdk->state.sampleShading,
+        .minSampleShading = 1.0f};
     const VkStencilOpState stencil = {.passOp = VK_STENCIL_OP_INCREMENT_AND_CLAMP,
-                                      .compareOp = VK_COMPARE_OP_EQUAL, .compareMask = 0xFF, .writeMask = 0xFF};
+                                      .compareOp = VK_COMPARE_OP_EQUAL,
+                                      .compareMask = 0xFF,
+                                      .writeMask = 0xFF};
     const VkPipelineDepthStencilStateCreateInfo depthStencil = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO, .depthTestEnable = VK_TRUE,
-        .depthWriteEnable = sdk->state.depthWrite, .depthCompareOp = ops[sdk->state.depthCompare],
-        .stencilTestEnable = sdk->state.stencilTest, .front = stencil, .back = stencil};
-    const VkPipelineColorBlendAttachmentState target = {
-        .blendEnable = sdk->state.keepFirst, .colorWriteMask = sdk->state.colorWriteMask,
-        .srcColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA, .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
-        .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA, .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE};
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+        .depthTestEnable = VK_TRUE,
+        .depthWriteEnable = sdk->state.depthWrite,
+        .depthCompareOp = ops[sdk->state.depthCompare],
+        .stencilTestEnable = sdk->state.stencilTest,
+        .front = stencil,
+        .back = stencil};
+    const VkPipelineColorBlendAttachmentState target = {.blendEnable = sdk->state.keepFirst,
+                                                        .colorWriteMask = sdk->state.colorWriteMask,
+                                                        .srcColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA,
+                                                        .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                                        .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA,
+                                                        .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE};
     const VkPipelineColorBlendAttachmentState targets[4] = {target, target, target, target};
-    const VkPipelineColorBlendStateCreateInfo blend = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-        .attachmentCount = sdk->state.colorAttachmentCount, .pAttachments = targets};
+    const VkPipelineColorBlendStateCreateInfo blend = {.sType =
+                                                           VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+                                                       .attachmentCount = sdk->state.colorAttachmentCount,
+                                                       .pAttachments = targets};
     const VkPipelineDynamicStateCreateInfo dynamic = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO, .dynamicStateCount = 2,
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+        .dynamicStateCount = 2,
         .pDynamicStates = (VkDynamicState[]){VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR}};
     host->keys[i] = sdk->pipelineKey;
     CHECK(vkCreatePipelineLayout(host->device, &layout, NULL, &host->layouts[i]));
-    const VkGraphicsPipelineCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .stageCount = 2, .pStages = stages,
-        .pVertexInputState = &input, .pInputAssemblyState = &assembly, .pViewportState = &viewport,
-        .pRasterizationState = &rasterization, .pMultisampleState = &multisample, .pDepthStencilState = &depthStencil,
-        .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = host->layouts[i],
-        .renderPass = (VkRenderPass)vk->renderPass};
+    const VkGraphicsPipelineCreateInfo info = {.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                               .stageCount = 2,
+                                               .pStages = stages,
+                                               .pVertexInputState = &input,
+                                               .pInputAssemblyState = &assembly,
+                                               .pViewportState = &viewport,
+                                               .pRasterizationState = &rasterization,
+                                               .pMultisampleState = &multisample,
+                                               .pDepthStencilState = &depthStencil,
+                                               .pColorBlendState = &blend,
+                                               .pDynamicState = &dynamic,
+                                               .layout = host->layouts[i],
+                                               .renderPass = (VkRenderPass)vk->renderPass};
     CHECK(vkCreateGraphicsPipelines(host->device, VK_NULL_HANDLE, 1, &info, NULL, &host->pipelines[i]));
     vkDestroyShaderModule(host->device, fragment, NULL);
 }
@@ -228,8 +266,8 @@ static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->pipelines[pass]);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->layouts[pass], 0,
-                            host->vertexSet ? 2 : 1, sets, 0, NULL);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->layouts[pass], 0, host->vertexSet ? 2 : 1,
+                            sets, 0, NULL);
     vkCmdPushConstants(commands, host->layouts[pass], VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection,
                        host->frame.projection);
     for (uint32_t i = 0; i < drawCount; ++i) /* the first instance is the number of the draw */
@@ -240,7 +278,8 @@ static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
 static void renderFrames(Host* host) {
     const VkCommandPoolCreateInfo poolInfo = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    const VkMemoryBarrier out = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER, .srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT,
+    const VkMemoryBarrier out = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                 .srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT,
                                  .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
     VkCommandBufferAllocateInfo info = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandBufferCount = 1};
     VkCommandBuffer commands;
@@ -262,8 +301,8 @@ static void renderFrames(Host* host) {
         if (host->recordHostPass)
             host->recordHostPass(host, commands);
         CHECK(agaaVkRecordFrame(host->view, &host->frame, &vkFrame));
-        vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &out,
-                             0, NULL, 0, NULL);
+        vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &out, 0,
+                             NULL, 0, NULL);
         CHECK(vkEndCommandBuffer(commands));
         CHECK(vkQueueSubmit(queue, 1, &submit, VK_NULL_HANDLE));
         CHECK(vkQueueWaitIdle(queue));

@@ -35,8 +35,7 @@ void checkDevice(const AgaaGlDeviceDesc& desc) {
     bool known = false;
     for (uint32_t version : versions)
         known |= desc.glslVersion == version;
-    require(known, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaGlDeviceDesc::glslVersion is not a version of GLSL from 330 to 460.");
+    require(known, AGAA_ERROR_OUT_OF_RANGE, "AgaaGlDeviceDesc::glslVersion is not a version of GLSL from 330 to 460.");
     checkRange(uint64_t(desc.storage), 0, AGAA_GL_STORAGE_IMAGES, "AgaaGlDeviceDesc::storage");
     checkRange(uint64_t(desc.constants), 0, AGAA_GL_CONSTANTS_TEXELS, "AgaaGlDeviceDesc::constants");
     checkRange(uint64_t(desc.outputs), 0, AGAA_GL_OUTPUTS_HOST, "AgaaGlDeviceDesc::outputs");
@@ -51,17 +50,19 @@ void checkDevice(const AgaaGlDeviceDesc& desc) {
 
 extern "C" {
 
-AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc,
-                                         AgaaContext* outContext) {
+AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc, AgaaContext* outContext) {
     return guarded(logOfDesc(desc), "agaaGlCreateContext", [&]() -> AgaaResult {
         checkHeaderVersion(headerVersion);
         require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
-        const AgaaContextDesc common = readContextDesc(desc, {AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC, AGAA_STRUCTURE_TYPE_GL_PROGRAM_CACHE});
+        const AgaaContextDesc common =
+            readContextDesc(desc, {AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC, AGAA_STRUCTURE_TYPE_GL_PROGRAM_CACHE});
         const AgaaGlDeviceDesc device = readDeviceDesc<AgaaGlDeviceDesc>(common);
         checkDevice(device);
         const std::optional<AgaaGlProgramCache> cache = readChained<AgaaGlProgramCache>(&common);
-        require(!cache || cache->size == 0 || cache->data, AGAA_ERROR_INVALID_ARGUMENT, "AgaaGlProgramCache::data is null.");
-        *outContext = construct<gl::Context>({common.allocate, common.free, common.allocateUser}, common, device, cache);
+        require(!cache || cache->size == 0 || cache->data, AGAA_ERROR_INVALID_ARGUMENT,
+                "AgaaGlProgramCache::data is null.");
+        *outContext =
+            construct<gl::Context>({common.allocate, common.free, common.allocateUser}, common, device, cache);
         return AGAA_OK;
     });
 }
@@ -84,8 +85,7 @@ AgaaResult AGAA_CALL agaaGlGetProgramCache(AgaaContext context, size_t* size, vo
     });
 }
 
-AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc,
-                                      AgaaView* outView) {
+AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView) {
     return guarded(logOf(context), "agaaGlCreateView", [&]() -> AgaaResult {
         requireBackend(context, Backend::OpenGL);
         require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
@@ -95,8 +95,7 @@ AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* d
     });
 }
 
-AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame,
-                                       const AgaaGlFrame* glFrame) {
+AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaGlFrame* glFrame) {
     return guarded(logOf(view), "agaaGlRecordFrame", [&]() -> AgaaResult {
         requireBackend(view, Backend::OpenGL);
         return static_cast<gl::View*>(view->current)->record(readStruct(frame), readStruct(glFrame));

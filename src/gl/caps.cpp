@@ -46,11 +46,9 @@ bool isRasterised(const GladGLContext& gl, Format format, GLint samples) {
 // Returns a bit mask: textures of this format can have 2^i samples if bit i is set.
 uint32_t sampleCounts(const GladGLContext& gl, Format format) {
     GLint count = 0;
-    gl.GetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, internalFormat(format), GL_NUM_SAMPLE_COUNTS, 1,
-                           &count);
+    gl.GetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, internalFormat(format), GL_NUM_SAMPLE_COUNTS, 1, &count);
     std::vector<GLint> list(size_t(std::max(count, 0)));
-    gl.GetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, internalFormat(format), GL_SAMPLES, count,
-                           list.data());
+    gl.GetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, internalFormat(format), GL_SAMPLES, count, list.data());
     uint32_t bits = 1;
     for (GLint samples : list)
         if (samples > 0 && std::has_single_bit(uint32_t(samples)) && isRasterised(gl, format, samples))
@@ -64,8 +62,7 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     const auto text = [&](GLenum name) { return reinterpret_cast<const char*>(gl.GetString(name)); };
     std::snprintf(caps.deviceName, sizeof caps.deviceName, "%.127s", text(GL_RENDERER));
-    std::snprintf(caps.driverName, sizeof caps.driverName, "%.60s %.60s", text(GL_VENDOR),
-                  text(GL_VERSION));
+    std::snprintf(caps.driverName, sizeof caps.driverName, "%.60s %.60s", text(GL_VENDOR), text(GL_VERSION));
     GLint viewport[2] = {0, 0};
     gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
     caps.maxImageSize =
@@ -121,8 +118,8 @@ AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* out) {
     });
 }
 
-AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser,
-                                         const AgaaLog* log, AgaaDeviceCaps* outCaps) {
+AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser, const AgaaLog* log,
+                                         AgaaDeviceCaps* outCaps) {
     return guarded(log, "agaaGlGetDeviceCaps", [&]() -> AgaaResult {
         require(getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "getProcAddr is null.");
         checkOutput(outCaps);

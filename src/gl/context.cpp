@@ -28,8 +28,8 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
         &loader);
     require(version != 0, AGAA_ERROR_UNSUPPORTED, "no OpenGL context is current.");
     if (!gl.VERSION_4_3)
-        fail(AGAA_ERROR_UNSUPPORTED, format("the context is OpenGL %d.%d; 4.3 is needed.",
-                                            GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)));
+        fail(AGAA_ERROR_UNSUPPORTED, format("the context is OpenGL %d.%d; 4.3 is needed.", GLAD_VERSION_MAJOR(version),
+                                            GLAD_VERSION_MINOR(version)));
     require(gl.VERSION_4_5 || gl.ARB_direct_state_access, AGAA_ERROR_UNSUPPORTED,
             "the context is below OpenGL 4.5 and lacks GL_ARB_direct_state_access.");
     if (!loader.missing.empty())
@@ -112,11 +112,11 @@ static std::vector<uint32_t> binaryFormatsOf(const GladGLContext& gl) {
     return {formats.begin(), formats.end()};
 }
 
-Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc, const std::optional<AgaaGlProgramCache>& cache)
-    : AgaaContext_T(Backend::OpenGL, common),
-      gl(loadFunctions(desc.getProcAddr, desc.getProcUser)),
-      statePolicy(AgaaGlStatePolicy(desc.statePolicy)), pushState(desc.pushState),
-      popState(desc.popState), stateUser(desc.stateUser), programs(driverOf(gl)) {
+Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc,
+                 const std::optional<AgaaGlProgramCache>& cache)
+    : AgaaContext_T(Backend::OpenGL, common), gl(loadFunctions(desc.getProcAddr, desc.getProcUser)),
+      statePolicy(AgaaGlStatePolicy(desc.statePolicy)), pushState(desc.pushState), popState(desc.popState),
+      stateUser(desc.stateUser), programs(driverOf(gl)) {
     dialect.openGl = true;
     dialect.glslVersion = desc.glslVersion;
     dialect.storageImages = desc.storage == AGAA_GL_STORAGE_IMAGES;
@@ -213,9 +213,8 @@ void Context::clearHostErrors(const char* call, GLenum ours) const {
         if (error == GL_NO_ERROR)
             return;
         if (error != ours)
-            log.write(
-                AGAA_SEVERITY_WARNING, AGAA_OK,
-                format("%s: error 0x%04X of an earlier call of the host's was pending.", call, error));
+            log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
+                      format("%s: error 0x%04X of an earlier call of the host's was pending.", call, error));
         else
             ours = GL_NO_ERROR;
     }

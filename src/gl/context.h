@@ -22,7 +22,8 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl);
 class Context : public AgaaContext_T {
 public:
     // cache: bytes of an earlier run that the host stored, if any.
-    Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc, const std::optional<AgaaGlProgramCache>& cache);
+    Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc,
+            const std::optional<AgaaGlProgramCache>& cache);
     ~Context() override;
 
     void label(GLenum kind, GLuint name, const std::string& text) const;
@@ -37,17 +38,17 @@ public:
     AgaaGlStateCallback pushState;
     AgaaGlStateCallback popState;
     void* stateUser;
-    std::optional<StateGuard> guard; // of all states that frames change
+    std::optional<StateGuard> guard;          // of all states that frames change
     std::optional<HostBindings> hostBindings; // with AGAA_GL_STATE_CALLBACKS
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
     uint32_t timestampBits = 64; // width of the driver's counter
     GLuint shadowSampler = 0;
     GLuint linearSampler = 0;
-    GLuint texelSampler = 0; // for host textures, whose filter may need mip levels
+    GLuint texelSampler = 0;     // for host textures, whose filter may need mip levels
     GLuint emptyFramebuffer = 0; // has no images: passes must not fetch from the bound framebuffer (OpenGL 4.5, 9.3.1)
-    GLint maxDebugGroups = 0; // depth of the context's stack
-    ProgramCache programs;   // filled if keepsPrograms
-    bool keepsPrograms = false; // the host stores the cache
+    GLint maxDebugGroups = 0;    // depth of the context's stack
+    ProgramCache programs;       // filled if keepsPrograms
+    bool keepsPrograms = false;  // the host stores the cache
     std::vector<uint32_t> binaryFormats; // formats that the driver loads
     GLuint emptyShadowMap = 0; // bound if a frame has no shadow map: binding 0 would unbind all targets of the unit
 

@@ -38,7 +38,8 @@ void View::clearTargets(size_t index) {
     if (!pass.draw.clearsDepth || depth == Format::None)
         return;
     if (hasStencil(depth))
-        gl.ClearNamedFramebufferfi(framebuffers[index], GL_DEPTH_STENCIL, 0, pass.draw.clear.depth, GLint(pass.draw.clear.stencil));
+        gl.ClearNamedFramebufferfi(framebuffers[index], GL_DEPTH_STENCIL, 0, pass.draw.clear.depth,
+                                   GLint(pass.draw.clear.stencil));
     else
         gl.ClearNamedFramebufferfv(framebuffers[index], GL_DEPTH, 0, &pass.draw.clear.depth);
 }
@@ -68,8 +69,7 @@ void View::bindConstants(GLuint point, ResourceId resource, uint32_t slot) {
     gl.BindSampler(point, 0);
 }
 
-void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
-                       uint32_t slot) {
+void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     GLint uniformBuffer = 0, storageBuffer = 0;
     const bool restoresTargets = context.statePolicy != AGAA_GL_STATE_NONE;
@@ -135,23 +135,19 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const
     state.save();
 }
 
-void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
-                          uint32_t slot) {
+void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     for (const Binding& binding : pass.bindings) {
         const Resource& resource = plan.resources[binding.resource];
         const bool output = resource.kind == ResourceKind::Output;
         const GLuint point = bindingPointOf(binding.slot);
-        const GLuint texture =
-            output ? glFrame.outputTexture : (*resources)[binding.resource].texture;
+        const GLuint texture = output ? glFrame.outputTexture : (*resources)[binding.resource].texture;
         switch (binding.type) {
         case BindingType::UniformBuffer:
-            gl.BindBufferBase(GL_UNIFORM_BUFFER, point,
-                              resources->buffer(binding.resource, slot));
+            gl.BindBufferBase(GL_UNIFORM_BUFFER, point, resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageBuffer:
-            gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, point,
-                              resources->buffer(binding.resource, slot));
+            gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, point, resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageImage:
             gl.BindImageTexture(point, texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
@@ -160,8 +156,8 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
         case BindingType::Texture:
             gl.BindTextureUnit(point, texture);
             gl.BindSampler(point, binding.filter == Filter::Linear ? context.linearSampler
-                                  : output                             ? context.texelSampler
-                                                                       : 0);
+                                  : output                         ? context.texelSampler
+                                                                   : 0);
             break;
         case BindingType::ShadowTexture:
             gl.BindTextureUnit(point, shadowTexture(resource, frame, glFrame));

@@ -13,8 +13,7 @@ namespace agaa::gl {
 namespace {
 
 // Floating-point and normalised formats that support image stores (OpenGL 4.3, table 8.26).
-constexpr GLenum outputFormats[] = {GL_RGBA32F, GL_RGBA16F, GL_R11F_G11F_B10F, GL_RGBA16,
-                                    GL_RGB10_A2, GL_RGBA8};
+constexpr GLenum outputFormats[] = {GL_RGBA32F, GL_RGBA16F, GL_R11F_G11F_B10F, GL_RGBA16, GL_RGB10_A2, GL_RGBA8};
 
 GLint levelParameter(const GladGLContext& gl, GLuint texture, GLenum parameter) {
     GLint value = 0;
@@ -28,8 +27,7 @@ GLint levelParameter(const GladGLContext& gl, GLuint texture, GLenum parameter) 
 bool isOfTarget(const Context& context, GLuint texture, GLenum target) {
     const GladGLContext& gl = context.gl;
     GLint before = 0, bound = 0;
-    const GLenum binding =
-        target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_2D_ARRAY;
+    const GLenum binding = target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_2D_ARRAY;
     gl.GetIntegerv(binding, &before);
     gl.BindTexture(target, texture);
     gl.GetIntegerv(binding, &bound);
@@ -69,12 +67,10 @@ GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) con
     const GLint width = levelParameter(gl, output, GL_TEXTURE_WIDTH);
     const GLint height = levelParameter(gl, output, GL_TEXTURE_HEIGHT);
     if (uint32_t(width) != plan.view.width || uint32_t(height) != plan.view.height)
-        fail(AGAA_ERROR_OUT_OF_RANGE,
-             format("AgaaGlFrame::outputTexture is %dx%d; the view is %ux%u.", width, height, plan.view.width,
-                    plan.view.height));
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaGlFrame::outputTexture is %dx%d; the view is %ux%u.", width, height,
+                                             plan.view.width, plan.view.height));
     const auto texels = GLenum(levelParameter(gl, output, GL_TEXTURE_INTERNAL_FORMAT));
-    require(std::find(std::begin(outputFormats), std::end(outputFormats), texels) !=
-                std::end(outputFormats),
+    require(std::find(std::begin(outputFormats), std::end(outputFormats), texels) != std::end(outputFormats),
             AGAA_ERROR_UNSUPPORTED,
             "AgaaGlFrame::outputTexture is of a format that images cannot store, as RGBA16F can.");
     for (const Resource& resource : plan.resources) {

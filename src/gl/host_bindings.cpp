@@ -4,8 +4,7 @@
 
 namespace agaa::gl {
 
-HostBindings::HostBindings(const GladGLContext& gl, const HostDialect& dialect,
-                       bool compatibilityProfile)
+HostBindings::HostBindings(const GladGLContext& gl, const HostDialect& dialect, bool compatibilityProfile)
     : context_(gl, hostBindings(dialect), compatibilityProfile) {
     size_t count = 0;
     for (const StateRow& row : bindingRows())

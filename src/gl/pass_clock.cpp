@@ -15,9 +15,7 @@ PassClock::PassClock(const Context& context, size_t passCount, uint32_t slotCoun
     }
 }
 
-PassClock::~PassClock() {
-    context_.gl.DeleteQueries(GLsizei(queries_.size()), queries_.data());
-}
+PassClock::~PassClock() { context_.gl.DeleteQueries(GLsizei(queries_.size()), queries_.data()); }
 
 void PassClock::begin(uint32_t slot, size_t pass) {
     if (!queries_.empty()) {
@@ -48,8 +46,7 @@ std::vector<double> PassClock::milliseconds(uint32_t slot) const {
         }
         GLuint64 ticks[2] = {0, 0};
         for (size_t i = 0; i < 2; ++i)
-            context_.gl.GetQueryObjectui64v(queries_[2 * index(slot, pass) + i], GL_QUERY_RESULT,
-                                            &ticks[i]);
+            context_.gl.GetQueryObjectui64v(queries_[2 * index(slot, pass) + i], GL_QUERY_RESULT, &ticks[i]);
         times.push_back(millisecondsBetween(ticks[0], ticks[1], context_.timestampBits));
     }
     return times;

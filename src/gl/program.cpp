@@ -35,8 +35,8 @@ std::string programLog(const GladGLContext& gl, GLuint program) {
 
 } // namespace
 
-static void attachStage(const GladGLContext& gl, GLuint program, const StageText& stage,
-                        const std::string& name, AgaaResult blame) {
+static void attachStage(const GladGLContext& gl, GLuint program, const StageText& stage, const std::string& name,
+                        AgaaResult blame) {
     const GLuint shader = gl.CreateShader(stage.stage);
     gl.ShaderSource(shader, 1, &stage.text, nullptr);
     gl.CompileShader(shader);
@@ -49,8 +49,8 @@ static void attachStage(const GladGLContext& gl, GLuint program, const StageText
         fail(blame, format("%s does not compile: %s", name.c_str(), log.c_str()));
 }
 
-GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages,
-                   const std::string& name, AgaaResult blame, bool isRetrievable) {
+GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages, const std::string& name,
+                   AgaaResult blame, bool isRetrievable) {
     const GLuint program = gl.CreateProgram();
     if (isRetrievable)
         gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
@@ -61,8 +61,7 @@ GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> sta
         GLint done = GL_FALSE;
         gl.GetProgramiv(program, GL_LINK_STATUS, &done);
         if (!done)
-            fail(blame, format("%s does not link: %s", name.c_str(),
-                               firstLine(programLog(gl, program)).c_str()));
+            fail(blame, format("%s does not link: %s", name.c_str(), firstLine(programLog(gl, program)).c_str()));
     } catch (...) {
         gl.DeleteProgram(program);
         throw;
@@ -103,13 +102,15 @@ Compiled compilePass(Context& context, const Pass& pass) {
     const ProgramCache::Key key = ProgramCache::keyOf(text);
     const ProgramCache::Binary* kept = context.keepsPrograms ? context.programs.find(key) : nullptr;
     // glProgramBinary raises an error for formats that the driver does not list.
-    if (kept && std::find(context.binaryFormats.begin(), context.binaryFormats.end(), kept->format) != context.binaryFormats.end())
+    if (kept && std::find(context.binaryFormats.begin(), context.binaryFormats.end(), kept->format) !=
+                    context.binaryFormats.end())
         if (const GLuint program = loadBinary(gl, *kept))
             return {program, true};
     const StageText stage{GL_COMPUTE_SHADER, text.c_str()};
     const bool isImported = !pass.compute.hostCode.empty();
-    const GLuint program = linkProgram(gl, {stage}, isImported ? pass.compute.hostCodeOrigin : "the pass " + pass.name,
-                                       isImported ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_INTERNAL, context.keepsPrograms);
+    const GLuint program =
+        linkProgram(gl, {stage}, isImported ? pass.compute.hostCodeOrigin : "the pass " + pass.name,
+                    isImported ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_INTERNAL, context.keepsPrograms);
     if (context.keepsPrograms)
         keepBinary(gl, program, key, context.programs);
     return {program, false};

@@ -27,7 +27,9 @@ uint64_t hash(std::string_view text, uint64_t state = 0xCBF29CE484222325u) {
         state = (state ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
     return state;
 }
-uint64_t checksum(std::span<const std::byte> data) { return hash({reinterpret_cast<const char*>(data.data()), data.size()}); }
+uint64_t checksum(std::span<const std::byte> data) {
+    return hash({reinterpret_cast<const char*>(data.data()), data.size()});
+}
 
 // Reads values in sequence and fails at the end of the data.
 class Reader {

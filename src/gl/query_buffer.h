@@ -5,9 +5,7 @@
 
 namespace agaa::gl {
 
-inline bool hasQueryBuffer(const GladGLContext& gl) {
-    return gl.VERSION_4_4 || gl.ARB_query_buffer_object;
-}
+inline bool hasQueryBuffer(const GladGLContext& gl) { return gl.VERSION_4_4 || gl.ARB_query_buffer_object; }
 
 // No query buffer is bound during the lifetime of an object. The destructor restores the host's binding.
 class NoQueryBuffer {

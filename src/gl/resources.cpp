@@ -46,8 +46,7 @@ ViewResources::~ViewResources() { destroy(); }
 void ViewResources::destroy() {
     for (GpuResource& resource : resources_) {
         context_.gl.DeleteTextures(1, &resource.texture);
-        context_.gl.DeleteTextures(GLsizei(resource.bufferImages.size()),
-                                   resource.bufferImages.data());
+        context_.gl.DeleteTextures(GLsizei(resource.bufferImages.size()), resource.bufferImages.data());
         context_.gl.DeleteBuffers(GLsizei(resource.buffers.size()), resource.buffers.data());
     }
     resources_.clear();
@@ -59,14 +58,12 @@ void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
     const auto width = GLsizei(resource.width), height = GLsizei(resource.height);
     if (resource.samples > 1) {
         gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &out.texture);
-        gl.TextureStorage2DMultisample(out.texture, GLsizei(resource.samples), texels, width, height,
-                                       GL_TRUE);
+        gl.TextureStorage2DMultisample(out.texture, GLsizei(resource.samples), texels, width, height, GL_TRUE);
         GLint samples = 0;
         gl.GetTextureLevelParameteriv(out.texture, 0, GL_TEXTURE_SAMPLES, &samples);
         if (samples != 0 && uint32_t(samples) != resource.samples)
-            fail(AGAA_ERROR_UNSUPPORTED,
-                 format("%s was to have %u samples; the driver gives it %d.", resource.name.c_str(),
-                         resource.samples, samples));
+            fail(AGAA_ERROR_UNSUPPORTED, format("%s was to have %u samples; the driver gives it %d.",
+                                                resource.name.c_str(), resource.samples, samples));
     } else {
         gl.CreateTextures(resource.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &out.texture);
         if (resource.layers > 1)

@@ -6,8 +6,8 @@ namespace agaa::gl {
 namespace {
 
 // Reads count components of one parameter from component first on.
-void readParameter(const GladGLContext& gl, GLenum parameter, char type, const uint32_t* index,
-                   size_t first, size_t count, StateValue& out) {
+void readParameter(const GladGLContext& gl, GLenum parameter, char type, const uint32_t* index, size_t first,
+                   size_t count, StateValue& out) {
     const auto get = [&](auto plain, auto indexed, auto* data) {
         if (index != nullptr)
             indexed(parameter, *index, data);
@@ -48,36 +48,30 @@ void readParameter(const GladGLContext& gl, GLenum parameter, char type, const u
 
 } // namespace
 
-void readValues(const StateReading& reading, const StateRow& row, uint32_t element,
-                StateValue& out) {
+void readValues(const StateReading& reading, const StateRow& row, uint32_t element, StateValue& out) {
     const uint32_t* index = row.array == StateArray::Once ? nullptr : &element;
     if (row.parameters[1] == 0) {
-        readParameter(reading.gl(), row.parameters[0], row.layout[0], index, 0, row.layout.size(),
-                      out);
+        readParameter(reading.gl(), row.parameters[0], row.layout[0], index, 0, row.layout.size(), out);
         return;
     }
     for (size_t i = 0; i < row.layout.size(); ++i)
         readParameter(reading.gl(), row.parameters[i], row.layout[i], index, i, 1, out);
 }
 
-void readCapability(const StateReading& reading, const StateRow& row, uint32_t element,
-                    StateValue& out) {
+void readCapability(const StateReading& reading, const StateRow& row, uint32_t element, StateValue& out) {
     out.setInteger(0, reading.gl().IsEnabled(row.parameters[0] + element) != GL_FALSE);
 }
 
-void writeCapability(const StateContext& context, const StateRow& row, uint32_t element,
-                     const StateValue& value) {
+void writeCapability(const StateContext& context, const StateRow& row, uint32_t element, const StateValue& value) {
     const GladGLContext& gl = context.gl();
     (value.integer(0) != 0 ? gl.Enable : gl.Disable)(row.parameters[0] + element);
 }
 
-void readCapabilityAt(const StateReading& reading, const StateRow& row, uint32_t element,
-                      StateValue& out) {
+void readCapabilityAt(const StateReading& reading, const StateRow& row, uint32_t element, StateValue& out) {
     out.setInteger(0, reading.gl().IsEnabledi(row.parameters[0], element) != GL_FALSE);
 }
 
-void writeCapabilityAt(const StateContext& context, const StateRow& row, uint32_t element,
-                       const StateValue& value) {
+void writeCapabilityAt(const StateContext& context, const StateRow& row, uint32_t element, const StateValue& value) {
     const GladGLContext& gl = context.gl();
     (value.integer(0) != 0 ? gl.Enablei : gl.Disablei)(row.parameters[0], element);
 }

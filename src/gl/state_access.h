@@ -19,12 +19,10 @@ void writeCapability(const StateContext&, const StateRow&, uint32_t element, con
 void readCapabilityAt(const StateReading&, const StateRow&, uint32_t element, StateValue&);
 void writeCapabilityAt(const StateContext&, const StateRow&, uint32_t element, const StateValue&);
 
-inline constexpr StateNeed kMixedSamples{
-    "GL_NV_framebuffer_mixed_samples",
-    [](const GladGLContext& gl) { return gl.NV_framebuffer_mixed_samples != 0; }};
+inline constexpr StateNeed kMixedSamples{"GL_NV_framebuffer_mixed_samples",
+                                         [](const GladGLContext& gl) { return gl.NV_framebuffer_mixed_samples != 0; }};
 
-template <typename T>
-T component(const StateValue& value, size_t i) {
+template <typename T> T component(const StateValue& value, size_t i) {
     if constexpr (std::is_floating_point_v<T>)
         return static_cast<T>(value.real(i));
     else
@@ -33,8 +31,7 @@ T component(const StateValue& value, size_t i) {
 
 // Calls an OpenGL function with the leading arguments, followed by the components.
 template <typename... Parameters, typename... Leading>
-void callWith(void(GLAD_API_PTR* function)(Parameters...), const StateValue& value,
-              Leading... leading) {
+void callWith(void(GLAD_API_PTR* function)(Parameters...), const StateValue& value, Leading... leading) {
     constexpr size_t count = sizeof...(Leading);
     const std::array<GLuint, count + 1> first{static_cast<GLuint>(leading)...};
     [&]<size_t... I>(std::index_sequence<I...>) {
@@ -52,21 +49,18 @@ void set(const StateContext& context, const StateRow&, uint32_t, const StateValu
 
 // Calls Function(element, components…).
 template <auto Function>
-void setAt(const StateContext& context, const StateRow&, uint32_t element,
-           const StateValue& value) {
+void setAt(const StateContext& context, const StateRow&, uint32_t element, const StateValue& value) {
     callWith(context.gl().*Function, value, element);
 }
 
 // Calls Function(parameter, components…).
 template <auto Function>
-void setParameter(const StateContext& context, const StateRow& row, uint32_t,
-                  const StateValue& value) {
+void setParameter(const StateContext& context, const StateRow& row, uint32_t, const StateValue& value) {
     callWith(context.gl().*Function, value, row.parameters[0]);
 }
 
 // Returns the object's name, or 0 if the host has deleted the object since it was read.
-template <auto IsObject>
-GLuint existingName(const StateContext& context, GLuint name) {
+template <auto IsObject> GLuint existingName(const StateContext& context, GLuint name) {
     return name != 0 && (context.gl().*IsObject)(name) == GL_TRUE ? name : 0;
 }
 

@@ -13,15 +13,13 @@ template <auto Bind, auto IsObject, GLenum... Target>
 void bindObject(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
     (context.gl().*Bind)(Target..., existingName<IsObject>(context, value.name()));
 }
-template <GLenum Target>
-constexpr StateWrite bindBuffer = bindObject<&Gl::BindBuffer, &Gl::IsBuffer, Target>;
+template <GLenum Target> constexpr StateWrite bindBuffer = bindObject<&Gl::BindBuffer, &Gl::IsBuffer, Target>;
 template <GLenum Target>
 constexpr StateWrite bindFramebuffer = bindObject<&Gl::BindFramebuffer, &Gl::IsFramebuffer, Target>;
 
 // For a buffer that is bound without a range, OpenGL returns start 0 and size 0.
 template <GLenum Target>
-void bindBufferRange(const StateContext& context, const StateRow&, uint32_t element,
-                     const StateValue& value) {
+void bindBufferRange(const StateContext& context, const StateRow&, uint32_t element, const StateValue& value) {
     const GLuint buffer = existingName<&Gl::IsBuffer>(context, value.name());
     const auto start = component<GLintptr>(value, 1);
     const auto size = component<GLsizeiptr>(value, 2);
@@ -33,13 +31,11 @@ void bindBufferRange(const StateContext& context, const StateRow&, uint32_t elem
 
 // The binding belongs to the vertex array, which can keep a buffer whose name was deleted. Core contexts without a
 // vertex array have no such binding.
-void bindElementBuffer(const StateContext& context, const StateRow&, uint32_t,
-                       const StateValue& value) {
+void bindElementBuffer(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
     GLint bound = 0;
     context.gl().GetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &bound);
     if (static_cast<GLuint>(bound) != value.name())
-        context.gl().BindBuffer(GL_ELEMENT_ARRAY_BUFFER,
-                                existingName<&Gl::IsBuffer>(context, value.name()));
+        context.gl().BindBuffer(GL_ELEMENT_ARRAY_BUFFER, existingName<&Gl::IsBuffer>(context, value.name()));
 }
 
 void readUnit(const StateReading& reading, const StateRow& row, uint32_t element, StateValue& out) {
@@ -50,8 +46,7 @@ void readUnit(const StateReading& reading, const StateRow& row, uint32_t element
 }
 
 template <GLenum Target>
-void bindTexture(const StateContext& context, const StateRow& row, uint32_t element,
-                 const StateValue& value) {
+void bindTexture(const StateContext& context, const StateRow& row, uint32_t element, const StateValue& value) {
     const GladGLContext& gl = context.gl();
     gl.ActiveTexture(GL_TEXTURE0 + element);
     const GLuint texture = existingName<&Gl::IsTexture>(context, value.name());
@@ -66,17 +61,14 @@ void bindTexture(const StateContext& context, const StateRow& row, uint32_t elem
         gl.BindTexture(Target, 0);
 }
 
-void bindSampler(const StateContext& context, const StateRow&, uint32_t element,
-                 const StateValue& value) {
+void bindSampler(const StateContext& context, const StateRow&, uint32_t element, const StateValue& value) {
     context.gl().BindSampler(element, existingName<&Gl::IsSampler>(context, value.name()));
 }
 
-void bindImage(const StateContext& context, const StateRow&, uint32_t element,
-               const StateValue& value) {
+void bindImage(const StateContext& context, const StateRow&, uint32_t element, const StateValue& value) {
     context.gl().BindImageTexture(element, existingName<&Gl::IsTexture>(context, value.name()),
                                   component<GLint>(value, 1), component<GLboolean>(value, 2),
-                                  component<GLint>(value, 3), component<GLenum>(value, 4),
-                                  component<GLenum>(value, 5));
+                                  component<GLint>(value, 3), component<GLenum>(value, 4), component<GLenum>(value, 5));
 }
 
 // Mesa ignores glBindProgramPipeline(0) while a program is in use. Its glUseProgram(0) fails if the pipeline behind the
@@ -111,22 +103,13 @@ void readActiveTexture(const StateReading& reading, const StateRow&, uint32_t, S
 }
 
 template <GLenum Target>
-constexpr StateRow buffer(GLenum parameter, const char* name, const char* description,
-                          StateNeed need = {}) {
-    return {name,       description,        {parameter},      "o",
-            readValues, bindBuffer<Target>, StateArray::Once, StateProfile::Any,
+constexpr StateRow buffer(GLenum parameter, const char* name, const char* description, StateNeed need = {}) {
+    return {name, description, {parameter}, "o", readValues, bindBuffer<Target>, StateArray::Once, StateProfile::Any,
             need};
 }
 
-template <GLenum Target>
-constexpr StateRow texture(GLenum parameter, const char* name, const char* description) {
-    return {name,
-            description,
-            {parameter},
-            "o",
-            readUnit,
-            bindTexture<Target>,
-            StateArray::TextureUnits};
+template <GLenum Target> constexpr StateRow texture(GLenum parameter, const char* name, const char* description) {
+    return {name, description, {parameter}, "o", readUnit, bindTexture<Target>, StateArray::TextureUnits};
 }
 
 constexpr StateNeed kQueryBuffers{"4.4 or GL_ARB_query_buffer_object", hasQueryBuffer};
@@ -213,8 +196,6 @@ constexpr StateRow kRows[] = {
 
 } // namespace
 
-std::span<const StateRow> bindingRows() {
-    return kRows;
-}
+std::span<const StateRow> bindingRows() { return kRows; }
 
 } // namespace agaa::gl

@@ -7,21 +7,17 @@ namespace {
 
 constexpr StateRow capability(GLenum parameter, const char* name, const char* description,
                               StateProfile profile = StateProfile::Any, StateNeed need = {}) {
-    return {
-        name,    description, {parameter}, "b", readCapability, writeCapability, StateArray::Once,
-        profile, need};
+    return {name, description, {parameter}, "b", readCapability, writeCapability, StateArray::Once, profile, need};
 }
 
 constexpr StateProfile kCompatibility = StateProfile::Compatibility;
 
 // With GL_AMD_depth_clamp_separate, glEnable(GL_DEPTH_CLAMP) sets both planes and glIsEnabled returns true for either,
 // so that each plane has its own row.
-constexpr StateNeed kDepthClamp{
-    "no GL_AMD_depth_clamp_separate",
-    [](const GladGLContext& gl) { return gl.AMD_depth_clamp_separate == 0; }};
-constexpr StateNeed kDepthClampSeparate{
-    "GL_AMD_depth_clamp_separate",
-    [](const GladGLContext& gl) { return gl.AMD_depth_clamp_separate != 0; }};
+constexpr StateNeed kDepthClamp{"no GL_AMD_depth_clamp_separate",
+                                [](const GladGLContext& gl) { return gl.AMD_depth_clamp_separate == 0; }};
+constexpr StateNeed kDepthClampSeparate{"GL_AMD_depth_clamp_separate",
+                                        [](const GladGLContext& gl) { return gl.AMD_depth_clamp_separate != 0; }};
 
 // clang-format off
 constexpr StateRow kRows[] = {
@@ -82,8 +78,6 @@ constexpr StateRow kRows[] = {
 
 } // namespace
 
-std::span<const StateRow> capabilityRows() {
-    return kRows;
-}
+std::span<const StateRow> capabilityRows() { return kRows; }
 
 } // namespace agaa::gl

@@ -12,12 +12,10 @@ uint32_t limit(const GladGLContext& gl, GLenum parameter) {
     return static_cast<uint32_t>(std::max(value, 0));
 }
 
-std::vector<uint32_t> below(const GladGLContext& gl, GLenum parameter,
-                            std::vector<uint32_t> points) {
+std::vector<uint32_t> below(const GladGLContext& gl, GLenum parameter, std::vector<uint32_t> points) {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    points.erase(std::lower_bound(points.begin(), points.end(), limit(gl, parameter)),
-                 points.end());
+    points.erase(std::lower_bound(points.begin(), points.end(), limit(gl, parameter)), points.end());
     return points;
 }
 
@@ -29,19 +27,15 @@ std::vector<uint32_t> first(uint32_t count) {
 
 } // namespace
 
-StateContext::StateContext(const GladGLContext& gl, const StateScope& scope,
-                           bool compatibilityProfile)
+StateContext::StateContext(const GladGLContext& gl, const StateScope& scope, bool compatibilityProfile)
     : gl_(gl), compatibility_(compatibilityProfile) {
     const auto set = [&](StateArray array, std::vector<uint32_t> elements) {
         elements_[static_cast<size_t>(array)] = std::move(elements);
     };
     set(StateArray::Once, {0});
-    set(StateArray::TextureUnits,
-        below(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, scope.textureUnits));
-    set(StateArray::UniformBindings,
-        below(gl, GL_MAX_UNIFORM_BUFFER_BINDINGS, scope.uniformBindings));
-    set(StateArray::StorageBindings,
-        below(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, scope.storageBindings));
+    set(StateArray::TextureUnits, below(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, scope.textureUnits));
+    set(StateArray::UniformBindings, below(gl, GL_MAX_UNIFORM_BUFFER_BINDINGS, scope.uniformBindings));
+    set(StateArray::StorageBindings, below(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, scope.storageBindings));
     set(StateArray::ImageUnits, below(gl, GL_MAX_IMAGE_UNITS, scope.imageUnits));
     // All elements are saved: draw callbacks use the functions without an index (glColorMask, glViewport, …), which set
     // all of them.
@@ -54,8 +48,7 @@ StateContext::StateContext(const GladGLContext& gl, const StateScope& scope,
     gl.CreateRenderbuffers(1, &stencil_);
     gl.NamedRenderbufferStorage(stencil_, GL_DEPTH24_STENCIL8, 1, 1);
     gl.CreateFramebuffers(1, &framebuffer_);
-    gl.NamedFramebufferRenderbuffer(framebuffer_, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                                    stencil_);
+    gl.NamedFramebufferRenderbuffer(framebuffer_, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, stencil_);
     // Makes the driver validate the attachment now: binding the framebuffer alone may not.
     gl.CheckNamedFramebufferStatus(framebuffer_, GL_DRAW_FRAMEBUFFER);
 }

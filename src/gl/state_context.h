@@ -21,9 +21,7 @@ public:
     bool compatibilityProfile() const { return compatibility_; }
     bool has(const StateRow& row) const;
     // Returns the elements of rows with this array. The context must have the row.
-    const std::vector<uint32_t>& elements(StateArray array) const {
-        return elements_[static_cast<size_t>(array)];
-    }
+    const std::vector<uint32_t>& elements(StateArray array) const { return elements_[static_cast<size_t>(array)]; }
     GLuint emptyPipeline() const { return pipeline_; }
 
 private:

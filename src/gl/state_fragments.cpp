@@ -8,8 +8,7 @@ namespace {
 using Gl = GladGLContext;
 
 // glBlendEquationSeparatei refuses the equations of GL_KHR_blend_equation_advanced.
-void setBlendEquations(const StateContext& context, const StateRow&, uint32_t element,
-                       const StateValue& value) {
+void setBlendEquations(const StateContext& context, const StateRow&, uint32_t element, const StateValue& value) {
     const GLenum rgb = component<GLenum>(value, 0), alpha = component<GLenum>(value, 1);
     if (rgb == alpha)
         context.gl().BlendEquationi(element, rgb);
@@ -17,8 +16,7 @@ void setBlendEquations(const StateContext& context, const StateRow&, uint32_t el
         context.gl().BlendEquationSeparatei(element, rgb, alpha);
 }
 
-void readClampFragmentColor(const StateReading& reading, const StateRow&, uint32_t,
-                            StateValue& out) {
+void readClampFragmentColor(const StateReading& reading, const StateRow&, uint32_t, StateValue& out) {
     out.setInteger(0, reading.clampFragmentColor());
 }
 
@@ -81,8 +79,6 @@ constexpr StateRow kRows[] = {
 
 } // namespace
 
-std::span<const StateRow> fragmentRows() {
-    return kRows;
-}
+std::span<const StateRow> fragmentRows() { return kRows; }
 
 } // namespace agaa::gl

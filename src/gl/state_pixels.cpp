@@ -7,8 +7,7 @@ namespace {
 
 using Gl = GladGLContext;
 
-constexpr StateRow store(GLenum parameter, const char* name, const char* description,
-                         const char* layout = "i") {
+constexpr StateRow store(GLenum parameter, const char* name, const char* description, const char* layout = "i") {
     return {name, description, {parameter}, layout, readValues, setParameter<&Gl::PixelStorei>};
 }
 
@@ -53,8 +52,6 @@ constexpr StateRow kRows[] = {
 
 } // namespace
 
-std::span<const StateRow> pixelRows() {
-    return kRows;
-}
+std::span<const StateRow> pixelRows() { return kRows; }
 
 } // namespace agaa::gl

@@ -8,16 +8,14 @@ namespace {
 using Gl = GladGLContext;
 
 template <GLenum Parameter>
-void setPatchLevels(const StateContext& context, const StateRow& row, uint32_t,
-                    const StateValue& value) {
+void setPatchLevels(const StateContext& context, const StateRow& row, uint32_t, const StateValue& value) {
     GLfloat levels[4]{};
     for (size_t i = 0; i < row.layout.size(); ++i)
         levels[i] = component<GLfloat>(value, i);
     context.gl().PatchParameterfv(Parameter, levels);
 }
 
-void setPolygonModes(const StateContext& context, const StateRow&, uint32_t,
-                     const StateValue& value) {
+void setPolygonModes(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
     context.gl().PolygonMode(GL_FRONT, component<GLenum>(value, 0));
     context.gl().PolygonMode(GL_BACK, component<GLenum>(value, 1));
 }
@@ -27,16 +25,14 @@ bool hasOffsetClamp(const GladGLContext& gl) {
     return gl.VERSION_4_6 || gl.ARB_polygon_offset_clamp || gl.EXT_polygon_offset_clamp;
 }
 
-void readPolygonOffset(const StateReading& reading, const StateRow& row, uint32_t element,
-                       StateValue& out) {
+void readPolygonOffset(const StateReading& reading, const StateRow& row, uint32_t element, StateValue& out) {
     StateRow had = row;
     if (!hasOffsetClamp(reading.gl()))
         had.layout.remove_suffix(1);
     readValues(reading, had, element, out);
 }
 
-void setPolygonOffset(const StateContext& context, const StateRow&, uint32_t,
-                      const StateValue& value) {
+void setPolygonOffset(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
     const GladGLContext& gl = context.gl();
     if (!hasOffsetClamp(gl))
         callWith(gl.PolygonOffset, value);
@@ -120,8 +116,6 @@ constexpr StateRow kRows[] = {
 
 } // namespace
 
-std::span<const StateRow> rasterRows() {
-    return kRows;
-}
+std::span<const StateRow> rasterRows() { return kRows; }
 
 } // namespace agaa::gl

@@ -46,8 +46,7 @@ enum class StateArray : uint8_t {
 inline constexpr size_t kStateArrays = 9;
 
 using StateRead = void (*)(const StateReading&, const StateRow&, uint32_t element, StateValue&);
-using StateWrite = void (*)(const StateContext&, const StateRow&, uint32_t element,
-                            const StateValue&);
+using StateWrite = void (*)(const StateContext&, const StateRow&, uint32_t element, const StateValue&);
 
 struct StateNeed {
     const char* name = nullptr; // for the documentation

@@ -37,9 +37,9 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
 class Work {
 public:
     explicit Work(const GladGLContext& context)
-        : gl(context), program(linkProgram(context, {{GL_VERTEX_SHADER, vertexText},
-                                                     {GL_FRAGMENT_SHADER, fragmentText}},
-                                           "the timer probe")) {
+        : gl(context),
+          program(linkProgram(context, {{GL_VERTEX_SHADER, vertexText}, {GL_FRAGMENT_SHADER, fragmentText}},
+                              "the timer probe")) {
         gl.CreateTextures(GL_TEXTURE_2D, 1, &target);
         gl.TextureStorage2D(target, 1, GL_RGBA8, side, side);
         gl.CreateFramebuffers(1, &framebuffer);
@@ -50,8 +50,8 @@ public:
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
         gl.BindVertexArray(vertexArray);
         gl.Viewport(0, 0, side, side);
-        for (GLenum capability : {GL_SCISSOR_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST,
-                                  GL_RASTERIZER_DISCARD, GL_BLEND, GL_SAMPLE_SHADING})
+        for (GLenum capability : {GL_SCISSOR_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD,
+                                  GL_BLEND, GL_SAMPLE_SHADING})
             gl.Disable(capability);
         GLint distances = 0; // enabled distances that the shader does not write are undefined
         gl.GetIntegerv(GL_MAX_CLIP_DISTANCES, &distances);

@@ -99,9 +99,8 @@ void View::createFramebuffer(size_t index) {
     gl.NamedFramebufferReadBuffer(framebuffer, buffers[0]);
     const GLenum status = gl.CheckNamedFramebufferStatus(framebuffer, GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        fail(AGAA_ERROR_UNSUPPORTED,
-             format("the driver cannot draw to the targets of the pass \"%s\": status 0x%04X.",
-                    pass.name.c_str(), status));
+        fail(AGAA_ERROR_UNSUPPORTED, format("the driver cannot draw to the targets of the pass \"%s\": status 0x%04X.",
+                                            pass.name.c_str(), status));
 }
 
 // OpenGL defines no standard sample locations. glGetMultisamplefv returns those of the bound framebuffer.
@@ -112,9 +111,8 @@ SamplePositions View::readPositions() const {
     std::vector<SamplePosition> texel(plan.view.hwSamples, SamplePosition{0.5f, 0.5f});
     if (plan.view.hwSamples == 1)
         return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
-    const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
-        return pass.kind == PassKind::HostDraw;
-    });
+    const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(),
+                                   [](const Pass& pass) { return pass.kind == PassKind::HostDraw; });
     GLuint framebuffer = 0, texture = 0; // the texture exists only if the plan has no host pass
     if (draw != plan.passes.end()) {
         framebuffer = framebuffers[size_t(draw - plan.passes.begin())];

@@ -52,8 +52,8 @@ private:
     bool isFinished(const Step& step, uint32_t slot) const;
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,
                    HostState& state);
-    void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, const Step& step, uint32_t slot,
-                 HostState& state);
+    void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, const Step& step,
+                 uint32_t slot, HostState& state);
     void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                      HostState& state);
     void dispatch(const Dispatch& dispatch, uint32_t slot);
@@ -61,8 +61,7 @@ private:
     void clearTargets(size_t pass);
     void bindConstants(GLuint point, ResourceId resource, uint32_t slot);
     void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
-    void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
-                        uint32_t slot);
+    void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     GLuint shadowTexture(const Resource& map, const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void runTransfer(const Pass& pass, uint32_t slot);
 

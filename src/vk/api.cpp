@@ -8,8 +8,7 @@ using namespace agaa;
 namespace {
 
 void checkDevice(const AgaaVkDeviceDesc& desc) {
-    require(desc.instance && desc.physicalDevice && desc.device && desc.getProcAddr,
-            AGAA_ERROR_INVALID_ARGUMENT,
+    require(desc.instance && desc.physicalDevice && desc.device && desc.getProcAddr, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaVkDeviceDesc lacks an instance, physical device, device or getProcAddr.");
     require(!desc.enabledExtensionCount || desc.enabledExtensions, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaVkDeviceDesc::enabledExtensions is null.");
@@ -24,8 +23,7 @@ void checkDevice(const AgaaVkDeviceDesc& desc) {
 
 extern "C" {
 
-AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc,
-                                         AgaaContext* outContext) {
+AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc, AgaaContext* outContext) {
     return guarded(logOfDesc(desc), "agaaVkCreateContext", [&]() -> AgaaResult {
         checkHeaderVersion(headerVersion);
         require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
@@ -36,7 +34,8 @@ AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaConte
         const std::optional<AgaaVkAllocator> allocator = readChained<AgaaVkAllocator>(&common);
         require(!allocator || (allocator->allocate && allocator->free), AGAA_ERROR_INVALID_ARGUMENT,
                 "AgaaVkAllocator::allocate or ::free is null.");
-        *outContext = construct<vk::Context>({common.allocate, common.free, common.allocateUser}, common, device, allocator);
+        *outContext =
+            construct<vk::Context>({common.allocate, common.free, common.allocateUser}, common, device, allocator);
         return AGAA_OK;
     });
 }
@@ -45,8 +44,7 @@ AgaaResult AGAA_CALL agaaVkGetContextCaps(AgaaContext context, AgaaDeviceCaps* o
     return writeContextCaps("agaaVkGetContextCaps", context, Backend::Vulkan, outCaps);
 }
 
-AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc,
-                                      AgaaView* outView) {
+AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView) {
     return guarded(logOf(context), "agaaVkCreateView", [&]() -> AgaaResult {
         requireBackend(context, Backend::Vulkan);
         require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
@@ -58,8 +56,7 @@ AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* d
     });
 }
 
-AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame,
-                                       const AgaaVkFrame* vkFrame) {
+AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaVkFrame* vkFrame) {
     return guarded(logOf(view), "agaaVkRecordFrame", [&]() -> AgaaResult {
         requireBackend(view, Backend::Vulkan);
         return static_cast<vk::View*>(view->current)->record(readStruct(frame), readStruct(vkFrame));

@@ -8,8 +8,8 @@
 namespace agaa::vk {
 
 VkAccess vkAccess(const Plan& plan, const Access& access) {
-    const VkPipelineStageFlags shader = access.isDraw ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT
-                                                      : VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+    const VkPipelineStageFlags shader =
+        access.isDraw ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT : VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     switch (access.use) {
     case Use::Uniform:
         return {shader, VK_ACCESS_UNIFORM_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
@@ -91,10 +91,8 @@ void Tracker::use(ResourceId id, const VkAccess& access) {
         return;
     // The first use waits for every earlier use of this memory, in this frame or the frame before.
     const VkPipelineStageFlags source =
-        state.used ? state.last.stages | state.writeStages
-                   : VkPipelineStageFlags(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
-    const VkAccessFlags sourceAccess =
-        state.used ? state.writes : VkAccessFlags(VK_ACCESS_MEMORY_WRITE_BIT);
+        state.used ? state.last.stages | state.writeStages : VkPipelineStageFlags(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
+    const VkAccessFlags sourceAccess = state.used ? state.writes : VkAccessFlags(VK_ACCESS_MEMORY_WRITE_BIT);
     next_.source |= source;
     next_.destination |= access.stages;
     if (isImage) {

@@ -21,16 +21,13 @@ constexpr const char* requiredFeatures[] = {
     "shaderStorageImageWriteWithoutFormat",
 };
 constexpr const char* optionalFeatures[] = {"dynamicRendering", "geometryShader", "conditionalRendering",
-                                            "fragmentShaderPixelInterlock",
-                                            "rasterizationOrderColorAttachmentAccess"};
-constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
-                                              VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
-                                              VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME,
-                                              VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME,
-                                              VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME};
+                                            "fragmentShaderPixelInterlock", "rasterizationOrderColorAttachmentAccess"};
+constexpr const char* optionalExtensions[] = {
+    VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME, VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
+    VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME, VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME,
+    VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME};
 
-std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk,
-                                                    VkPhysicalDevice device) {
+std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk, VkPhysicalDevice device) {
     uint32_t count = 0;
     check(vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
           "vkEnumerateDeviceExtensionProperties");
@@ -51,12 +48,10 @@ bool rendersConditionally(const InstanceTable& vk, VkPhysicalDevice device) {
 
 // Returns the sample counts with which depth, normals and G-buffers of any layout can be rendered and fetched. Formats
 // that the device lacks are ignored.
-VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice device,
-                                 const VkPhysicalDeviceLimits& limits, VkFormat depth) {
-    VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
-                                limits.framebufferDepthSampleCounts &
-                                limits.framebufferStencilSampleCounts &
-                                limits.sampledImageColorSampleCounts &
+VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice device, const VkPhysicalDeviceLimits& limits,
+                                 VkFormat depth) {
+    VkSampleCountFlags counts = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts &
+                                limits.framebufferStencilSampleCounts & limits.sampledImageColorSampleCounts &
                                 limits.sampledImageDepthSampleCounts;
     const auto restrict = [&](VkFormat format, VkImageUsageFlags usage) {
         VkImageFormatProperties properties{};
@@ -99,8 +94,8 @@ bool ordersColorAccess(const InstanceTable& vk, VkPhysicalDevice device, const V
 bool rendersAndSamples(const InstanceTable& vk, VkPhysicalDevice device, VkFormat format) {
     VkFormatProperties properties{};
     vk.GetPhysicalDeviceFormatProperties(device, format, &properties);
-    constexpr VkFormatFeatureFlags needed = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT |
-                                            VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+    constexpr VkFormatFeatureFlags needed =
+        VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
     return (properties.optimalTilingFeatures & needed) == needed;
 }
 
@@ -110,22 +105,18 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     VkPhysicalDeviceDriverProperties driver{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES, nullptr, VkDriverId(0), {}, {}, {}};
-    VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver,
-                                           {}};
+    VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver, {}};
     vk.GetPhysicalDeviceProperties2(device, &properties);
     const VkPhysicalDeviceLimits& limits = properties.properties.limits;
-    std::snprintf(caps.deviceName, sizeof caps.deviceName, "%.127s",
-                  properties.properties.deviceName);
-    std::snprintf(caps.driverName, sizeof caps.driverName, "%.60s %.60s", driver.driverName,
-                  driver.driverInfo);
+    std::snprintf(caps.deviceName, sizeof caps.deviceName, "%.127s", properties.properties.deviceName);
+    std::snprintf(caps.driverName, sizeof caps.driverName, "%.60s %.60s", driver.driverName, driver.driverInfo);
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, nullptr, {}};
     vk.GetPhysicalDeviceFeatures2(device, &features);
     const VkPhysicalDeviceFeatures& f = features.features;
 
     caps.maxImageSize = limits.maxImageDimension2D;
-    caps.maxImageSize = std::min({caps.maxImageSize, limits.maxFramebufferWidth,
-                                  limits.maxFramebufferHeight, limits.maxViewportDimensions[0],
-                                  limits.maxViewportDimensions[1]});
+    caps.maxImageSize = std::min({caps.maxImageSize, limits.maxFramebufferWidth, limits.maxFramebufferHeight,
+                                  limits.maxViewportDimensions[0], limits.maxViewportDimensions[1]});
     caps.maxStorageRange = limits.maxStorageBufferRange;
     caps.maxSharedBytes = limits.maxComputeSharedMemorySize;
     const auto set = [&](bool on, uint64_t flag) { caps.flags |= on ? flag : 0; };
@@ -133,8 +124,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     set(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
     set(f.geometryShader, AGAA_DEVICE_GEOMETRY_SHADERS);
     set(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
-    set(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
-        AGAA_DEVICE_STORAGE_FORMATS);
+    set(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat, AGAA_DEVICE_STORAGE_FORMATS);
     set(rendersAndSamples(vk, device, VK_FORMAT_D24_UNORM_S8_UINT), AGAA_DEVICE_D24S8);
     set(rendersAndSamples(vk, device, VK_FORMAT_D32_SFLOAT_S8_UINT), AGAA_DEVICE_D32S8);
     set(properties.properties.apiVersion >= VK_API_VERSION_1_3, AGAA_DEVICE_DYNAMIC_RENDERING);
@@ -146,7 +136,8 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
             AGAA_DEVICE_CONDITIONAL_RENDERING);
         set(name == VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME && hasPixelInterlock(vk, device),
             AGAA_DEVICE_FRAGMENT_INTERLOCK);
-        set(name == VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME && ordersColorAccess(vk, device, limits),
+        set(name == VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME &&
+                ordersColorAccess(vk, device, limits),
             AGAA_DEVICE_FRAMEBUFFER_FETCH);
     }
     VkSampleCountFlags counts = usableSamples(vk, device, limits, VK_FORMAT_D32_SFLOAT);
@@ -179,16 +170,14 @@ AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* out) {
     });
 }
 
-AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
-                                         AgaaVkGetInstanceProcAddr getProcAddr, const AgaaLog* log,
-                                         AgaaDeviceCaps* outCaps) {
+AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice, AgaaVkGetInstanceProcAddr getProcAddr,
+                                         const AgaaLog* log, AgaaDeviceCaps* outCaps) {
     return guarded(log, "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
         require(instance, AGAA_ERROR_INVALID_ARGUMENT, "the instance is null.");
         require(physicalDevice, AGAA_ERROR_INVALID_ARGUMENT, "the physical device is null.");
         require(getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "getProcAddr is null.");
         checkOutput(outCaps);
-        const vk::InstanceTable functions =
-            vk::loadInstanceTable(getProcAddr, static_cast<VkInstance>(instance));
+        const vk::InstanceTable functions = vk::loadInstanceTable(getProcAddr, static_cast<VkInstance>(instance));
         writeStruct(outCaps, vk::queryCaps(functions, static_cast<VkPhysicalDevice>(physicalDevice)));
         return AGAA_OK;
     });

@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 
-
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -10,8 +9,7 @@
 namespace agaa::vk {
 
 // Removes the capabilities that the host did not enable on its device.
-static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& desc,
-                                 uint32_t apiVersion) {
+static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& desc, uint32_t apiVersion) {
     const auto enabled = [&](const char* name) {
         for (uint32_t i = 0; i < desc.enabledExtensionCount; ++i)
             if (desc.enabledExtensions[i] && std::strcmp(desc.enabledExtensions[i], name) == 0)
@@ -39,18 +37,14 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
     keep(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
     keep(f.geometryShader, AGAA_DEVICE_GEOMETRY_SHADERS);
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
-    keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
-         AGAA_DEVICE_STORAGE_FORMATS);
+    keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat, AGAA_DEVICE_STORAGE_FORMATS);
     VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE, interlock = VK_FALSE, colorOrder = VK_FALSE;
-    for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next;
-         next = next->pNext) {
+    for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next; next = next->pNext) {
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES)
-            dynamicRendering |=
-                reinterpret_cast<const VkPhysicalDeviceVulkan13Features*>(next)->dynamicRendering;
+            dynamicRendering |= reinterpret_cast<const VkPhysicalDeviceVulkan13Features*>(next)->dynamicRendering;
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES)
             dynamicRendering |=
-                reinterpret_cast<const VkPhysicalDeviceDynamicRenderingFeatures*>(next)
-                    ->dynamicRendering;
+                reinterpret_cast<const VkPhysicalDeviceDynamicRenderingFeatures*>(next)->dynamicRendering;
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT)
             conditionalRendering |=
                 reinterpret_cast<const VkPhysicalDeviceConditionalRenderingFeaturesEXT*>(next)->conditionalRendering;
@@ -72,8 +66,7 @@ static VkSampler createSampler(const Context& context, VkFilter filter, bool com
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     info.magFilter = info.minFilter = filter;
     info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
-    info.addressModeU = info.addressModeV = info.addressModeW =
-        VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     info.compareEnable = compare;
     info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     VkSampler sampler = VK_NULL_HANDLE;
@@ -81,25 +74,23 @@ static VkSampler createSampler(const Context& context, VkFilter filter, bool com
     return sampler;
 }
 
-Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, const std::optional<AgaaVkAllocator>& allocatorOfHost)
+Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc,
+                 const std::optional<AgaaVkAllocator>& allocatorOfHost)
     : AgaaContext_T(Backend::Vulkan, common),
-      instanceFunctions(
-          loadInstanceTable(desc.getProcAddr, static_cast<VkInstance>(desc.instance))),
+      instanceFunctions(loadInstanceTable(desc.getProcAddr, static_cast<VkInstance>(desc.instance))),
       instance(static_cast<VkInstance>(desc.instance)),
-      physicalDevice(static_cast<VkPhysicalDevice>(desc.physicalDevice)),
-      device(static_cast<VkDevice>(desc.device)), queueFamily(desc.queueFamily),
+      physicalDevice(static_cast<VkPhysicalDevice>(desc.physicalDevice)), device(static_cast<VkDevice>(desc.device)),
+      queueFamily(desc.queueFamily),
       secondary(desc.recording == AGAA_VK_RECORDING_SECONDARY), dialect{.descriptorSet = desc.descriptorSet},
       pipelineCache((VkPipelineCache)desc.pipelineCache), hostMemory(allocatorOfHost) {
     caps = queryCaps(instanceFunctions, physicalDevice);
-    VkPhysicalDeviceMaintenance3Properties maintenance{
-        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES, nullptr, 0, 0};
-    VkPhysicalDeviceProperties2 device2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &maintenance,
-                                        {}};
+    VkPhysicalDeviceMaintenance3Properties maintenance{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
+                                                       nullptr, 0, 0};
+    VkPhysicalDeviceProperties2 device2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &maintenance, {}};
     instanceFunctions.GetPhysicalDeviceProperties2(physicalDevice, &device2);
     const VkPhysicalDeviceLimits& limits = device2.properties.limits;
     const uint32_t apiVersion = std::min(desc.apiVersion, device2.properties.apiVersion);
-    require(apiVersion >= VK_API_VERSION_1_2, AGAA_ERROR_UNSUPPORTED,
-            "the device is below Vulkan 1.2.");
+    require(apiVersion >= VK_API_VERSION_1_2, AGAA_ERROR_UNSUPPORTED, "the device is below Vulkan 1.2.");
     require(dialect.descriptorSet < limits.maxBoundDescriptorSets, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaVkDeviceDesc::descriptorSet is not below the device's maxBoundDescriptorSets.");
     removeDisabledCaps(caps, desc, apiVersion);
@@ -117,8 +108,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, co
     require(queueFamily < families, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaVkDeviceDesc::queueFamily is not a family of the device.");
     std::vector<VkQueueFamilyProperties> properties(families);
-    instanceFunctions.GetPhysicalDeviceQueueFamilyProperties(physicalDevice, &families,
-                                                             properties.data());
+    instanceFunctions.GetPhysicalDeviceQueueFamilyProperties(physicalDevice, &families, properties.data());
     constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     require((properties[queueFamily].queueFlags & needed) == needed, AGAA_ERROR_UNSUPPORTED,
             "the queue family does not do both graphics and compute.");
@@ -131,7 +121,8 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, co
                   "the device does not rasterise at the standard sample locations; positions of "
                   "samples are approximate.");
     conditionalRendering = caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
-    vk = loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device, {dynamicRendering, conditionalRendering});
+    vk = loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device,
+                         {dynamicRendering, conditionalRendering});
     try {
         createObjects();
     } catch (...) {
@@ -169,8 +160,8 @@ void Context::destroyObjects() {
 void Context::name(VkObjectType type, uint64_t handle, const std::string& text) const {
     if (!vk.SetDebugUtilsObjectNameEXT)
         return;
-    const VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
-                                             nullptr, type, handle, text.c_str()};
+    const VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT, nullptr, type, handle,
+                                             text.c_str()};
     vk.SetDebugUtilsObjectNameEXT(device, &info);
 }
 

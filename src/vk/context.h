@@ -11,7 +11,8 @@ AgaaDeviceCaps queryCaps(const InstanceTable& functions, VkPhysicalDevice device
 
 class Context : public AgaaContext_T {
 public:
-    Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, const std::optional<AgaaVkAllocator>& allocatorOfHost);
+    Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc,
+            const std::optional<AgaaVkAllocator>& allocatorOfHost);
     ~Context() override;
 
     void name(VkObjectType type, uint64_t handle, const std::string& text) const;
@@ -26,7 +27,7 @@ public:
     bool conditionalRendering = false;
     bool secondary = true; // draw callbacks record into secondary command buffers of the SDK
     HostDialect dialect;
-    VkPipelineCache pipelineCache; // of the host, else ownCache_
+    VkPipelineCache pipelineCache;             // of the host, else ownCache_
     std::optional<AgaaVkAllocator> hostMemory; // nullopt: vkAllocateMemory
     VkPhysicalDeviceMemoryProperties memory{};
     VkDeviceSize maxAllocation = 0;

@@ -22,8 +22,8 @@ void View::describePass(size_t index, void* native) const {
 // Returns the layout of an image after a segment, or VK_IMAGE_LAYOUT_UNDEFINED if its contents are lost. The layout is
 // that of the last pass up to the segment's end that accesses the image.
 static VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segment) {
-    const bool kept = plan.view.config.flags & AGAA_CONFIG_READBACK ||
-                      plan.passes[plan.resources[id].lastPass].segment > segment;
+    const bool kept =
+        plan.view.config.flags & AGAA_CONFIG_READBACK || plan.passes[plan.resources[id].lastPass].segment > segment;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
     for (const Pass& pass : plan.passes)
         for (const Access& access : accessesOf(pass))

@@ -79,8 +79,8 @@ void View::writeStatic(VkDescriptorSet set, const Binding& binding, uint32_t slo
         bindImage(context, set, binding, VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL);
         break;
     case BindingType::Texture:
-        bindImage(context, set, binding, binding.filter == Filter::Linear ? context.linearSampler : context.texelSampler,
-                  view,
+        bindImage(context, set, binding,
+                  binding.filter == Filter::Linear ? context.linearSampler : context.texelSampler, view,
                   isDepth(plan.resources[binding.resource].format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
                                                                    : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         break;

@@ -17,12 +17,11 @@ InstanceTable loadInstanceTable(AgaaVkGetInstanceProcAddr getProcAddr, VkInstanc
     return table;
 }
 
-DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstanceProcAddr getProcAddr,
-                            VkInstance instance, VkDevice device, OptionalFunctions wanted) {
+DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstanceProcAddr getProcAddr, VkInstance instance,
+                            VkDevice device, OptionalFunctions wanted) {
     DeviceTable table;
     const auto find = [&](auto& slot, const char* name) {
-        slot = reinterpret_cast<std::remove_reference_t<decltype(slot)>>(
-            functions.GetDeviceProcAddr(device, name));
+        slot = reinterpret_cast<std::remove_reference_t<decltype(slot)>>(functions.GetDeviceProcAddr(device, name));
         return slot != nullptr;
     };
     const auto load = [&](auto& slot, const char* name) {
@@ -54,10 +53,8 @@ DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstancePro
 void check(VkResult result, const char* call) {
     if (result == VK_SUCCESS)
         return;
-    const bool memory =
-        result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    fail(memory ? AGAA_ERROR_OUT_OF_MEMORY : AGAA_ERROR_DEVICE,
-         format("%s returned VkResult %d.", call, int(result)));
+    const bool memory = result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    fail(memory ? AGAA_ERROR_OUT_OF_MEMORY : AGAA_ERROR_DEVICE, format("%s returned VkResult %d.", call, int(result)));
 }
 
 } // namespace agaa::vk

@@ -6,69 +6,69 @@
 
 namespace agaa::vk {
 
-#define AGAA_VK_INSTANCE_FUNCTIONS(X)                                                              \
-    X(GetPhysicalDeviceProperties2)                                                                \
-    X(GetPhysicalDeviceFeatures2)                                                                  \
-    X(GetPhysicalDeviceMemoryProperties)                                                           \
-    X(GetPhysicalDeviceFormatProperties)                                                           \
-    X(GetPhysicalDeviceImageFormatProperties)                                                      \
-    X(GetPhysicalDeviceQueueFamilyProperties)                                                      \
-    X(EnumerateDeviceExtensionProperties)                                                          \
+#define AGAA_VK_INSTANCE_FUNCTIONS(X)                                                                                  \
+    X(GetPhysicalDeviceProperties2)                                                                                    \
+    X(GetPhysicalDeviceFeatures2)                                                                                      \
+    X(GetPhysicalDeviceMemoryProperties)                                                                               \
+    X(GetPhysicalDeviceFormatProperties)                                                                               \
+    X(GetPhysicalDeviceImageFormatProperties)                                                                          \
+    X(GetPhysicalDeviceQueueFamilyProperties)                                                                          \
+    X(EnumerateDeviceExtensionProperties)                                                                              \
     X(GetDeviceProcAddr)
 
-#define AGAA_VK_DEVICE_FUNCTIONS(X)                                                                \
-    X(AllocateCommandBuffers)                                                                      \
-    X(AllocateDescriptorSets)                                                                      \
-    X(AllocateMemory)                                                                              \
-    X(BeginCommandBuffer)                                                                          \
-    X(BindBufferMemory)                                                                            \
-    X(BindImageMemory)                                                                             \
-    X(CmdBeginRenderPass)                                                                          \
-    X(CmdBindDescriptorSets)                                                                       \
-    X(CmdBindPipeline)                                                                             \
-    X(CmdCopyBuffer)                                                                               \
-    X(CmdDispatch)                                                                                 \
-    X(CmdDispatchIndirect)                                                                         \
-    X(CmdEndRenderPass)                                                                            \
-    X(CmdExecuteCommands)                                                                          \
-    X(CmdFillBuffer)                                                                               \
-    X(CmdPipelineBarrier)                                                                          \
-    X(CmdResetQueryPool)                                                                           \
-    X(CmdWriteTimestamp)                                                                           \
-    X(CreateBuffer)                                                                                \
-    X(CreateCommandPool)                                                                           \
-    X(CreateComputePipelines)                                                                      \
-    X(CreateDescriptorPool)                                                                        \
-    X(CreateDescriptorSetLayout)                                                                   \
-    X(CreateFramebuffer)                                                                           \
-    X(CreateImage)                                                                                 \
-    X(CreateImageView)                                                                             \
-    X(CreatePipelineCache)                                                                         \
-    X(CreatePipelineLayout)                                                                        \
-    X(CreateQueryPool)                                                                             \
-    X(CreateRenderPass)                                                                            \
-    X(CreateSampler)                                                                               \
-    X(CreateShaderModule)                                                                          \
-    X(DestroyBuffer)                                                                               \
-    X(DestroyCommandPool)                                                                          \
-    X(DestroyDescriptorPool)                                                                       \
-    X(DestroyDescriptorSetLayout)                                                                  \
-    X(DestroyFramebuffer)                                                                          \
-    X(DestroyImage)                                                                                \
-    X(DestroyImageView)                                                                            \
-    X(DestroyPipeline)                                                                             \
-    X(DestroyPipelineCache)                                                                        \
-    X(DestroyPipelineLayout)                                                                       \
-    X(DestroyQueryPool)                                                                            \
-    X(DestroyRenderPass)                                                                           \
-    X(DestroySampler)                                                                              \
-    X(DestroyShaderModule)                                                                         \
-    X(EndCommandBuffer)                                                                            \
-    X(FreeMemory)                                                                                  \
-    X(GetBufferMemoryRequirements)                                                                 \
-    X(GetImageMemoryRequirements)                                                                  \
-    X(GetQueryPoolResults)                                                                         \
-    X(MapMemory)                                                                                   \
+#define AGAA_VK_DEVICE_FUNCTIONS(X)                                                                                    \
+    X(AllocateCommandBuffers)                                                                                          \
+    X(AllocateDescriptorSets)                                                                                          \
+    X(AllocateMemory)                                                                                                  \
+    X(BeginCommandBuffer)                                                                                              \
+    X(BindBufferMemory)                                                                                                \
+    X(BindImageMemory)                                                                                                 \
+    X(CmdBeginRenderPass)                                                                                              \
+    X(CmdBindDescriptorSets)                                                                                           \
+    X(CmdBindPipeline)                                                                                                 \
+    X(CmdCopyBuffer)                                                                                                   \
+    X(CmdDispatch)                                                                                                     \
+    X(CmdDispatchIndirect)                                                                                             \
+    X(CmdEndRenderPass)                                                                                                \
+    X(CmdExecuteCommands)                                                                                              \
+    X(CmdFillBuffer)                                                                                                   \
+    X(CmdPipelineBarrier)                                                                                              \
+    X(CmdResetQueryPool)                                                                                               \
+    X(CmdWriteTimestamp)                                                                                               \
+    X(CreateBuffer)                                                                                                    \
+    X(CreateCommandPool)                                                                                               \
+    X(CreateComputePipelines)                                                                                          \
+    X(CreateDescriptorPool)                                                                                            \
+    X(CreateDescriptorSetLayout)                                                                                       \
+    X(CreateFramebuffer)                                                                                               \
+    X(CreateImage)                                                                                                     \
+    X(CreateImageView)                                                                                                 \
+    X(CreatePipelineCache)                                                                                             \
+    X(CreatePipelineLayout)                                                                                            \
+    X(CreateQueryPool)                                                                                                 \
+    X(CreateRenderPass)                                                                                                \
+    X(CreateSampler)                                                                                                   \
+    X(CreateShaderModule)                                                                                              \
+    X(DestroyBuffer)                                                                                                   \
+    X(DestroyCommandPool)                                                                                              \
+    X(DestroyDescriptorPool)                                                                                           \
+    X(DestroyDescriptorSetLayout)                                                                                      \
+    X(DestroyFramebuffer)                                                                                              \
+    X(DestroyImage)                                                                                                    \
+    X(DestroyImageView)                                                                                                \
+    X(DestroyPipeline)                                                                                                 \
+    X(DestroyPipelineCache)                                                                                            \
+    X(DestroyPipelineLayout)                                                                                           \
+    X(DestroyQueryPool)                                                                                                \
+    X(DestroyRenderPass)                                                                                               \
+    X(DestroySampler)                                                                                                  \
+    X(DestroyShaderModule)                                                                                             \
+    X(EndCommandBuffer)                                                                                                \
+    X(FreeMemory)                                                                                                      \
+    X(GetBufferMemoryRequirements)                                                                                     \
+    X(GetImageMemoryRequirements)                                                                                      \
+    X(GetQueryPoolResults)                                                                                             \
+    X(MapMemory)                                                                                                       \
     X(UpdateDescriptorSets)
 
 struct InstanceTable {
@@ -99,8 +99,8 @@ struct OptionalFunctions {
 
 // Both throw AGAA_ERROR_UNSUPPORTED with the name of the first missing function.
 InstanceTable loadInstanceTable(AgaaVkGetInstanceProcAddr getProcAddr, VkInstance instance);
-DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstanceProcAddr getProcAddr,
-                            VkInstance instance, VkDevice device, OptionalFunctions wanted);
+DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstanceProcAddr getProcAddr, VkInstance instance,
+                            VkDevice device, OptionalFunctions wanted);
 
 // Throws if a Vulkan call failed.
 void check(VkResult result, const char* call);

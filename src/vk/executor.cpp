@@ -9,8 +9,7 @@
 namespace agaa::vk {
 
 void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const {
-    require(vkFrame.commandBuffer, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaVkFrame::commandBuffer is null.");
+    require(vkFrame.commandBuffer, AGAA_ERROR_INVALID_ARGUMENT, "AgaaVkFrame::commandBuffer is null.");
     for (const Pass& pass : plan.passes)
         require(!(frame.segments & pass.segment) || !usesHostSet(pass) || vkFrame.functionSet,
                 AGAA_ERROR_INVALID_ARGUMENT, "AgaaVkFrame::functionSet is null.");
@@ -22,17 +21,14 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
                 vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_PREINITIALIZED,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaVkFrame::outputLayoutOut is not a layout to be left in.");
     checkComposite(frame, plan);
-    require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f,
-            AGAA_ERROR_OUT_OF_RANGE,
+    require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over an output whose contents outputLayoutIn throws away.");
     bool first = true; // the first view also fills the slots of maps that the frame lacks
     for (const Resource& resource : plan.resources) {
         if (resource.kind != ResourceKind::ShadowMap)
             continue;
-        if ((first || resource.hostSlot < frame.shadowCount) &&
-            !vkFrame.shadowViews[resource.hostSlot])
-            fail(AGAA_ERROR_INVALID_ARGUMENT,
-                 format("AgaaVkFrame::shadowViews[%u] is null.", resource.hostSlot));
+        if ((first || resource.hostSlot < frame.shadowCount) && !vkFrame.shadowViews[resource.hostSlot])
+            fail(AGAA_ERROR_INVALID_ARGUMENT, format("AgaaVkFrame::shadowViews[%u] is null.", resource.hostSlot));
         first = false;
     }
 }
@@ -91,11 +87,9 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, siz
                          VkCommandBuffer commands) {
     const PassObjects& objects = passes[pass];
     const VkDescriptorSet sets[] = {objects.sets[slot], (VkDescriptorSet)vkFrame.functionSet};
-    context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
-                               (VkPipeline)variant.programs[pass]);
-    context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
-                                     objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,
-                                     nullptr);
+    context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, (VkPipeline)variant.programs[pass]);
+    context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipelineLayout, 0,
+                                     usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0, nullptr);
     const Dispatch& dispatch = plan.passes[pass].compute.dispatch;
     if (dispatch.kind == DispatchKind::Indirect) {
         context.vk.CmdDispatchIndirect(commands, resources->buffer(dispatch.arguments, slot), dispatch.argumentsOffset);
@@ -112,8 +106,8 @@ void View::clearPersistent(VkCommandBuffer commands) {
                                  VK_ACCESS_TRANSFER_WRITE_BIT};
     for (ResourceId id = 0; id < plan.resources.size(); ++id)
         if (plan.resources[id].isPersistent) {
-            context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0,
-                                          1, &before, 0, nullptr, 0, nullptr);
+            context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                                          0, 1, &before, 0, nullptr, 0, nullptr);
             context.vk.CmdFillBuffer(commands, resources->buffer(id, 0), 0, VK_WHOLE_SIZE, 0);
         }
 }
@@ -126,17 +120,17 @@ void View::discardClear(const AgaaFrame& frame) {
 
 void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
     if (pass.kind == PassKind::Fill) {
-        context.vk.CmdFillBuffer(commands, resources->buffer(pass.fill.destination, slot), 0, pass.fill.bytes ? pass.fill.bytes : VK_WHOLE_SIZE,
-                                 pass.fill.value);
+        context.vk.CmdFillBuffer(commands, resources->buffer(pass.fill.destination, slot), 0,
+                                 pass.fill.bytes ? pass.fill.bytes : VK_WHOLE_SIZE, pass.fill.value);
         return;
     }
     const VkBufferCopy region{0, 0, plan.resources[pass.copy.source].bytes};
-    context.vk.CmdCopyBuffer(commands, resources->buffer(pass.copy.source, slot), resources->buffer(pass.copy.destination, slot), 1, &region);
-    const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr,
-                                 VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
-    context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                                  VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &toHost, 0, nullptr, 0,
-                                  nullptr);
+    context.vk.CmdCopyBuffer(commands, resources->buffer(pass.copy.source, slot),
+                             resources->buffer(pass.copy.destination, slot), 1, &region);
+    const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT,
+                                 VK_ACCESS_HOST_READ_BIT};
+    context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &toHost,
+                                  0, nullptr, 0, nullptr);
 }
 
 void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
@@ -147,8 +141,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     const DeviceTable& vk = context.vk;
     if (vk.CmdBeginDebugUtilsLabelEXT) {
         const std::string text = "agaa " + pass.name;
-        const VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, nullptr,
-                                         text.c_str(), {}};
+        const VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, nullptr, text.c_str(), {}};
         vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
     }
     StepBarriers& before = barriers[number];

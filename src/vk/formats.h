@@ -51,8 +51,7 @@ inline VkFormat vkFormat(Format format) {
 inline VkImageAspectFlags aspects(Format format) {
     if (!isDepth(format))
         return VK_IMAGE_ASPECT_COLOR_BIT;
-    return VK_IMAGE_ASPECT_DEPTH_BIT |
-           (hasStencil(format) ? VkImageAspectFlags(VK_IMAGE_ASPECT_STENCIL_BIT) : 0u);
+    return VK_IMAGE_ASPECT_DEPTH_BIT | (hasStencil(format) ? VkImageAspectFlags(VK_IMAGE_ASPECT_STENCIL_BIT) : 0u);
 }
 
 } // namespace agaa::vk

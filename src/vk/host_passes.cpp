@@ -34,8 +34,7 @@ VkAttachmentDescription attachment(const Resource& resource, bool clear, VkImage
             load,
             VK_ATTACHMENT_STORE_OP_STORE,
             hasStencil(resource.format) ? load : VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-            hasStencil(resource.format) ? VK_ATTACHMENT_STORE_OP_STORE
-                                        : VK_ATTACHMENT_STORE_OP_DONT_CARE,
+            hasStencil(resource.format) ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE,
             layout,
             layout};
 }
@@ -51,8 +50,7 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
         attachments.push_back(attachment(plan.resources[color.resource], pass.draw.clearsColor, colorLayout(pass)));
         views.push_back(resources[color.resource].layerViews[color.layer]);
     }
-    const VkAttachmentReference depth{uint32_t(attachments.size()),
-                                      VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
+    const VkAttachmentReference depth{uint32_t(attachments.size()), VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
     const bool hasDepth = pass.draw.depthTarget != noResource;
     if (hasDepth) {
         attachments.push_back(attachment(plan.resources[pass.draw.depthTarget], pass.draw.clearsDepth, depth.layout));
@@ -74,8 +72,7 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     info.pAttachments = attachments.data();
     info.subpassCount = 1;
     info.pSubpasses = &subpass;
-    check(context.vk.CreateRenderPass(context.device, &info, nullptr, &out.renderPass),
-          "vkCreateRenderPass");
+    check(context.vk.CreateRenderPass(context.device, &info, nullptr, &out.renderPass), "vkCreateRenderPass");
     context.name(VK_OBJECT_TYPE_RENDER_PASS, (uint64_t)out.renderPass, "agaa " + pass.name);
     VkFramebufferCreateInfo framebuffer{};
     framebuffer.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
@@ -85,8 +82,7 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     framebuffer.width = pass.draw.width;
     framebuffer.height = pass.draw.height;
     framebuffer.layers = 1;
-    check(context.vk.CreateFramebuffer(context.device, &framebuffer, nullptr, &out.framebuffer),
-          "vkCreateFramebuffer");
+    check(context.vk.CreateFramebuffer(context.device, &framebuffer, nullptr, &out.framebuffer), "vkCreateFramebuffer");
     context.name(VK_OBJECT_TYPE_FRAMEBUFFER, (uint64_t)out.framebuffer, "agaa " + pass.name);
 }
 
@@ -140,7 +136,7 @@ void beginHostRendering(const Context& context, const Pass& pass, const HostPass
         info.pClearValues = clears.data();
         context.vk.CmdBeginRenderPass(commands, &info,
                                       context.secondary ? VK_SUBPASS_CONTENTS_SECONDARY_COMMAND_BUFFERS
-                                                : VK_SUBPASS_CONTENTS_INLINE);
+                                                        : VK_SUBPASS_CONTENTS_INLINE);
         return;
     }
     std::vector<VkRenderingAttachmentInfo> colors;
@@ -150,7 +146,8 @@ void beginHostRendering(const Context& context, const Pass& pass, const HostPass
     VkRenderingAttachmentInfo depth{};
     if (hasDepth)
         depth = renderingAttachment(resources[pass.draw.depthTarget].layerViews[0],
-                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.draw.clearsDepth, depthClear(pass));
+                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.draw.clearsDepth,
+                                    depthClear(pass));
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.flags = context.secondary ? VK_RENDERING_CONTENTS_SECONDARY_COMMAND_BUFFERS_BIT : 0;
@@ -190,8 +187,7 @@ void beginSecondary(const Context& context, const Pass& pass, const HostPass& ho
     inheritance.framebuffer = target.framebuffer;
     VkCommandBufferBeginInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT |
-                 VK_COMMAND_BUFFER_USAGE_RENDER_PASS_CONTINUE_BIT;
+    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT | VK_COMMAND_BUFFER_USAGE_RENDER_PASS_CONTINUE_BIT;
     info.pInheritanceInfo = &inheritance;
     check(context.vk.BeginCommandBuffer(commands, &info), "vkBeginCommandBuffer");
 }

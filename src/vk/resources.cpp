@@ -136,19 +136,17 @@ void ViewResources::createImage(const Plan& plan, ResourceId id, std::vector<Req
                                             formatName(resource.format), resource.samples));
     check(has, "vkGetPhysicalDeviceImageFormatProperties");
     if (resource.bytes > limits.maxResourceSize)
-        fail(AGAA_ERROR_TOO_LARGE,
-             format("%s takes %llu bytes; the device allows images of %llu.", resource.name.c_str(),
-                    static_cast<unsigned long long>(resource.bytes),
-                    static_cast<unsigned long long>(limits.maxResourceSize)));
+        fail(AGAA_ERROR_TOO_LARGE, format("%s takes %llu bytes; the device allows images of %llu.",
+                                          resource.name.c_str(), static_cast<unsigned long long>(resource.bytes),
+                                          static_cast<unsigned long long>(limits.maxResourceSize)));
     VkImage image = VK_NULL_HANDLE;
     check(context_.vk.CreateImage(context_.device, &info, nullptr, &image), "vkCreateImage");
     resources_[id].image = image;
     context_.name(VK_OBJECT_TYPE_IMAGE, (uint64_t)image, "agaa " + resource.name);
     if (resource.isPerPixel())
-        payloadBytes_ += uint64_t(info.extent.width) * info.extent.height * info.arrayLayers *
-                         info.samples * bytesPerTexel(resource.format);
-    Request request{id, 0, image, VK_NULL_HANDLE, {}, resource.firstPass, resource.lastPass,
-                    resource.kind};
+        payloadBytes_ += uint64_t(info.extent.width) * info.extent.height * info.arrayLayers * info.samples *
+                         bytesPerTexel(resource.format);
+    Request request{id, 0, image, VK_NULL_HANDLE, {}, resource.firstPass, resource.lastPass, resource.kind};
     context_.vk.GetImageMemoryRequirements(context_.device, image, &request.requirements);
     requests.push_back(request);
 }
@@ -174,8 +172,7 @@ void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<R
         context_.name(VK_OBJECT_TYPE_BUFFER, (uint64_t)buffer, "agaa " + resource.name);
         if (resource.isPerPixel())
             payloadBytes_ += info.size;
-        Request request{id, copy, VK_NULL_HANDLE, buffer, {}, resource.firstPass,
-                        resource.lastPass, resource.kind};
+        Request request{id, copy, VK_NULL_HANDLE, buffer, {}, resource.firstPass, resource.lastPass, resource.kind};
         context_.vk.GetBufferMemoryRequirements(context_.device, buffer, &request.requirements);
         requests.push_back(request);
     }
@@ -215,8 +212,7 @@ ViewResources::Allocation ViewResources::allocate(uint64_t size, std::span<const
 }
 
 VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
-    const uint64_t heap =
-        context_.memory.memoryHeaps[context_.memory.memoryTypes[type].heapIndex].size;
+    const uint64_t heap = context_.memory.memoryHeaps[context_.memory.memoryTypes[type].heapIndex].size;
     if (size > heap || size > context_.maxAllocation)
         fail(AGAA_ERROR_TOO_LARGE,
              format("the surfaces need %llu bytes at once; the device allows %llu.",
@@ -248,9 +244,8 @@ void ViewResources::allocateShared(std::vector<Request>& requests, bool alias) {
             Arena& arena = arenas[types.front()];
             if (arena.members.empty())
                 arena.types = types;
-            std::erase_if(arena.types, [&](uint32_t type) {
-                return std::find(types.begin(), types.end(), type) == types.end();
-            });
+            std::erase_if(arena.types,
+                          [&](uint32_t type) { return std::find(types.begin(), types.end(), type) == types.end(); });
             arena.members.push_back(&request);
             const uint64_t alignment = std::max<uint64_t>(request.requirements.alignment, context_.granularity);
             driverBytes_ = checkedAdd(driverBytes_, alignUp(request.requirements.size, alignment));
@@ -301,8 +296,7 @@ void ViewResources::allocateArena(std::span<const uint32_t> types, std::span<con
 }
 
 void ViewResources::allocateBuffer(const Request& request) {
-    constexpr VkMemoryPropertyFlags host =
-        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    constexpr VkMemoryPropertyFlags host = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     const VkMemoryPropertyFlags required = request.kind == ResourceKind::SmallBuffer ? 0 : host;
     const VkMemoryPropertyFlags preferred = request.kind == ResourceKind::ReadbackBuffer
                                                 ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
@@ -345,7 +339,8 @@ ViewResources::Block ViewResources::allocateFromHost(const BlockRequest& wanted,
     require(!wanted.required || memory.mapped, AGAA_ERROR_CALLBACK,
             "the host's AgaaVkAllocator returned memory that is not mapped.");
     for (const uint64_t reserved : memory.reserved)
-        require(reserved == 0, AGAA_ERROR_CALLBACK, "the host's AgaaVkAllocator set a reserved member of AgaaVkMemory.");
+        require(reserved == 0, AGAA_ERROR_CALLBACK,
+                "the host's AgaaVkAllocator set a reserved member of AgaaVkMemory.");
     return {(VkDeviceMemory)memory.memory, memory.offset, memory.mapped, true};
 }
 
@@ -368,8 +363,7 @@ void ViewResources::createViews(const Plan& plan) {
             info.format = vkFormat(resource.format);
             info.subresourceRange = {aspect, 0, 1, layer, layers};
             VkImageView handle = VK_NULL_HANDLE;
-            check(context_.vk.CreateImageView(context_.device, &info, nullptr, &handle),
-                  "vkCreateImageView");
+            check(context_.vk.CreateImageView(context_.device, &info, nullptr, &handle), "vkCreateImageView");
             context_.name(VK_OBJECT_TYPE_IMAGE_VIEW, (uint64_t)handle, "agaa " + resource.name);
             return handle;
         };
@@ -377,9 +371,9 @@ void ViewResources::createViews(const Plan& plan) {
         resources_[id].layerViews.reserve(resource.layers); // so that push_back() cannot throw after the creation
         for (uint32_t layer = 0; layer < resource.layers; ++layer)
             resources_[id].layerViews.push_back(view(aspects(resource.format), layer, 1));
-        resources_[id].fetchView = view(depth ? VkImageAspectFlags(VK_IMAGE_ASPECT_DEPTH_BIT)
-                                              : VkImageAspectFlags(VK_IMAGE_ASPECT_COLOR_BIT),
-                                        0, resource.layers);
+        resources_[id].fetchView =
+            view(depth ? VkImageAspectFlags(VK_IMAGE_ASPECT_DEPTH_BIT) : VkImageAspectFlags(VK_IMAGE_ASPECT_COLOR_BIT),
+                 0, resource.layers);
     }
 }
 

@@ -21,9 +21,8 @@ std::vector<double> View::readPassTimes(uint32_t slot) const {
     std::vector<double> times;
     std::vector<uint64_t> stamps(2 * passes.size());
     if (!queries ||
-        context.vk.GetQueryPoolResults(context.device, queries, uint32_t(slot * stamps.size()),
-                                       uint32_t(stamps.size()), stamps.size() * sizeof(uint64_t),
-                                       stamps.data(), sizeof(uint64_t),
+        context.vk.GetQueryPoolResults(context.device, queries, uint32_t(slot * stamps.size()), uint32_t(stamps.size()),
+                                       stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t),
                                        VK_QUERY_RESULT_64_BIT) != VK_SUCCESS)
         return times;
     // The mask makes the difference correct if the counter wrapped.

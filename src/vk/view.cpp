@@ -15,8 +15,7 @@ namespace agaa::vk {
 View::View(Context& device, const ViewSettings& settings)
     : View(device, makePlan(settings, device.caps, device.framesInFlight)) {}
 
-View::View(Context& device, Plan framePlan)
-    : ViewState(device, std::move(framePlan)), context(device) {
+View::View(Context& device, Plan framePlan) : ViewState(device, std::move(framePlan)), context(device) {
     positions = plan.view.samplePositions.empty()
                     ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
                     : samplePositions(plan.view.samplePositions);
@@ -68,16 +67,15 @@ void View::createPassObjects() {
         std::vector<VkDescriptorSetLayoutBinding> bindings;
         for (const Binding& binding : pass.bindings) {
             const VkDescriptorType type = descriptorType(binding.type);
-            const VkShaderStageFlags stages = pass.kind == PassKind::HostDraw
-                                                  ? VK_SHADER_STAGE_ALL_GRAPHICS
-                                                  : VK_SHADER_STAGE_COMPUTE_BIT;
+            const VkShaderStageFlags stages =
+                pass.kind == PassKind::HostDraw ? VK_SHADER_STAGE_ALL_GRAPHICS : VK_SHADER_STAGE_COMPUTE_BIT;
             bindings.push_back({binding.slot, type, 1, stages, nullptr});
             counts[type] += context.framesInFlight;
         }
         if (pass.draw.state.readsAttachments) {
             const uint32_t count = pass.draw.state.colorAttachmentCount;
-            bindings.push_back({fetchedTargetsSlot, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, count, VK_SHADER_STAGE_FRAGMENT_BIT,
-                                nullptr});
+            bindings.push_back({fetchedTargetsSlot, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, count,
+                                VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
             counts[VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT] += count * context.framesInFlight;
         }
         setCount += context.framesInFlight;
@@ -85,11 +83,9 @@ void View::createPassObjects() {
         info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
         info.bindingCount = uint32_t(bindings.size());
         info.pBindings = bindings.data();
-        check(context.vk.CreateDescriptorSetLayout(context.device, &info, nullptr,
-                                                   &passes[i].setLayout),
+        check(context.vk.CreateDescriptorSetLayout(context.device, &info, nullptr, &passes[i].setLayout),
               "vkCreateDescriptorSetLayout");
-        context.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, (uint64_t)passes[i].setLayout,
-                     "agaa " + pass.name);
+        context.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, (uint64_t)passes[i].setLayout, "agaa " + pass.name);
         if (pass.kind == PassKind::HostDraw)
             createHostRenderTarget(context, plan, pass, hostPasses[i], *resources, passes[i].target);
     }
@@ -101,8 +97,7 @@ void View::createPassObjects() {
     info.maxSets = setCount;
     info.poolSizeCount = uint32_t(sizes.size());
     info.pPoolSizes = sizes.data();
-    check(context.vk.CreateDescriptorPool(context.device, &info, nullptr, &descriptorPool),
-          "vkCreateDescriptorPool");
+    check(context.vk.CreateDescriptorPool(context.device, &info, nullptr, &descriptorPool), "vkCreateDescriptorPool");
     context.name(VK_OBJECT_TYPE_DESCRIPTOR_POOL, (uint64_t)descriptorPool, "agaa view");
     for (PassObjects& objects : passes) {
         if (!objects.setLayout)
@@ -127,17 +122,14 @@ void View::createPipelineLayouts() {
         if (pass.kind != PassKind::Compute)
             continue;
         PassObjects& objects = passes[i];
-        const VkDescriptorSetLayout sets[] = {objects.setLayout,
-                                              (VkDescriptorSetLayout)plan.view.functionSetLayout};
+        const VkDescriptorSetLayout sets[] = {objects.setLayout, (VkDescriptorSetLayout)plan.view.functionSetLayout};
         VkPipelineLayoutCreateInfo layout{};
         layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
         layout.setLayoutCount = usesHostSet(pass) ? 2 : 1;
         layout.pSetLayouts = sets;
-        check(context.vk.CreatePipelineLayout(context.device, &layout, nullptr,
-                                              &objects.pipelineLayout),
+        check(context.vk.CreatePipelineLayout(context.device, &layout, nullptr, &objects.pipelineLayout),
               "vkCreatePipelineLayout");
-        context.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, (uint64_t)objects.pipelineLayout,
-                     "agaa " + pass.name);
+        context.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, (uint64_t)objects.pipelineLayout, "agaa " + pass.name);
     }
 }
 
@@ -149,9 +141,8 @@ Compiled View::compile(const Pass& pass, size_t index) {
     std::vector<uint32_t> compiled;
     if (!pass.compute.text.empty() || !pass.compute.hostCode.empty())
         compiled = compileCompute(passGlsl(pass), pass.compute.hostCode.empty() ? pass.name.c_str()
-                                                                        : pass.compute.hostCodeOrigin.c_str());
-    const std::span<const uint32_t> words =
-        compiled.empty() ? embeddedSpirv(pass.compute.shader) : compiled;
+                                                                                : pass.compute.hostCodeOrigin.c_str());
+    const std::span<const uint32_t> words = compiled.empty() ? embeddedSpirv(pass.compute.shader) : compiled;
     if (words.empty())
         fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute.shader + ".");
     VkShaderModuleCreateInfo moduleInfo{};
@@ -159,10 +150,8 @@ Compiled View::compile(const Pass& pass, size_t index) {
     moduleInfo.codeSize = words.size_bytes();
     moduleInfo.pCode = words.data();
     VkShaderModule module = VK_NULL_HANDLE;
-    check(context.vk.CreateShaderModule(context.device, &moduleInfo, nullptr, &module),
-          "vkCreateShaderModule");
-    const VkSpecializationInfo constants{ConstantCount, entries.data(),
-                                         sizeof pass.constants, pass.constants.data()};
+    check(context.vk.CreateShaderModule(context.device, &moduleInfo, nullptr, &module), "vkCreateShaderModule");
+    const VkSpecializationInfo constants{ConstantCount, entries.data(), sizeof pass.constants, pass.constants.data()};
     VkComputePipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
     info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -172,8 +161,8 @@ Compiled View::compile(const Pass& pass, size_t index) {
     info.stage.pSpecializationInfo = &constants;
     info.layout = passes[index].pipelineLayout;
     VkPipeline pipeline = VK_NULL_HANDLE;
-    const VkResult result = context.vk.CreateComputePipelines(
-        context.device, context.pipelineCache, 1, &info, nullptr, &pipeline);
+    const VkResult result =
+        context.vk.CreateComputePipelines(context.device, context.pipelineCache, 1, &info, nullptr, &pipeline);
     context.vk.DestroyShaderModule(context.device, module, nullptr);
     check(result, "vkCreateComputePipelines");
     context.name(VK_OBJECT_TYPE_PIPELINE, (uint64_t)pipeline, "agaa " + pass.name);
@@ -192,8 +181,7 @@ void View::createSlots() {
         pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
         pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
         pool.queueFamilyIndex = context.queueFamily;
-        check(context.vk.CreateCommandPool(context.device, &pool, nullptr, &slot.pool),
-              "vkCreateCommandPool");
+        check(context.vk.CreateCommandPool(context.device, &pool, nullptr, &slot.pool), "vkCreateCommandPool");
         context.name(VK_OBJECT_TYPE_COMMAND_POOL, (uint64_t)slot.pool, "agaa draw commands");
         slot.secondaries.resize(size_t(draws));
         VkCommandBufferAllocateInfo allocate{};
@@ -212,8 +200,7 @@ void View::createSlots() {
     info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
     info.queryCount = uint32_t(2 * passes.size() * slots.size());
-    check(context.vk.CreateQueryPool(context.device, &info, nullptr, &queries),
-          "vkCreateQueryPool");
+    check(context.vk.CreateQueryPool(context.device, &info, nullptr, &queries), "vkCreateQueryPool");
     context.name(VK_OBJECT_TYPE_QUERY_POOL, (uint64_t)queries, "agaa timestamps");
 }
 
@@ -221,8 +208,6 @@ bool View::usesHostSet(const Pass& pass) const {
     return !pass.compute.hostCode.empty() && plan.view.functionSetLayout != 0;
 }
 
-bool View::timed() const {
-    return (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0;
-}
+bool View::timed() const { return (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0; }
 
 } // namespace agaa::vk

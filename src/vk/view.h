@@ -19,7 +19,7 @@ struct PassObjects {
     VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
     std::vector<VkDescriptorSet> sets; // one per frame in flight
     VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
-    HostRenderTarget target;           // host passes only
+    HostRenderTarget target; // host passes only
 };
 
 // Objects of one frame in flight.

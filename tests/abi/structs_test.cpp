@@ -11,8 +11,8 @@ namespace {
 
 struct Case {
     StructRow row;
-    std::vector<unsigned char> initial;                    // AGAA_…_INIT
-    void (*init)(void* structure, size_t structSize);      // agaaInit…
+    std::vector<unsigned char> initial;               // AGAA_…_INIT
+    void (*init)(void* structure, size_t structSize); // agaaInit…
 };
 
 std::vector<Case> allStructs() {

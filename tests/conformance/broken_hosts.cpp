@@ -5,7 +5,9 @@
 namespace agaa::conformance {
 
 std::vector<Broken> brokenHosts() {
-    const auto material = [](uint32_t pass) { return pass == AGAA_DRAW_PASS_AGGREGATE || pass == AGAA_DRAW_PASS_FORWARD; };
+    const auto material = [](uint32_t pass) {
+        return pass == AGAA_DRAW_PASS_AGGREGATE || pass == AGAA_DRAW_PASS_FORWARD;
+    };
     return {
         {"none", {}, "", [](Mistakes&) {}},
         {"other depth convention",
@@ -53,7 +55,10 @@ std::vector<Broken> brokenHosts() {
          {"camera"},
          "AgaaFrame's camera",
          [](Mistakes& m) { m.changeProjection = [](float* p) { p[0] *= 0.8f, p[5] *= 0.8f; }; }},
-        {"wrong y", {"camera"}, "direction of y", [](Mistakes& m) { m.changeProjection = [](float* p) { p[5] = -p[5]; }; }},
+        {"wrong y",
+         {"camera"},
+         "direction of y",
+         [](Mistakes& m) { m.changeProjection = [](float* p) { p[5] = -p[5]; }; }},
         {"forgotten discard",
          {"alpha_masks"},
          "one pass discards and the other does not",
@@ -95,7 +100,11 @@ std::vector<Broken> brokenHosts() {
          }},
         {"blending left on", {"blending"}, "disable blending", [](Mistakes& m) { m.blends = true; }},
         {"stale key", {"pipeline_keys"}, "AgaaDrawPass::pipelineKey", [](Mistakes& m) { m.keysByPass = true; }},
-        {"wrong set", {"descriptor_sets"}, "AgaaDrawTarget::descriptorSet", [](Mistakes& m) { m.keepsFirstSet = true; }, true},
+        {"wrong set",
+         {"descriptor_sets"},
+         "AgaaDrawTarget::descriptorSet",
+         [](Mistakes& m) { m.keepsFirstSet = true; },
+         true},
         {"missing barrier",
          {"messages"},
          "A barrier of the host is missing",
@@ -105,7 +114,9 @@ std::vector<Broken> brokenHosts() {
          {"blending"},
          "disable blending",
          [](Mistakes& m) {
-             m.changeState = [](uint32_t pass, AgaaDrawState& state) { state.keepFirst |= pass == AGAA_DRAW_PASS_GBUFFER; };
+             m.changeState = [](uint32_t pass, AgaaDrawState& state) {
+                 state.keepFirst |= pass == AGAA_DRAW_PASS_GBUFFER;
+             };
          }},
         {"omitted object",
          {"same_geometry"},

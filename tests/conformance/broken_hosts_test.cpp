@@ -14,9 +14,7 @@ struct Row {
     Backend backend;
     Broken broken;
 };
-std::ostream& operator<<(std::ostream& out, const Row& row) {
-    return out << row.broken.name;
-}
+std::ostream& operator<<(std::ostream& out, const Row& row) { return out << row.broken.name; }
 
 std::vector<Row> rows() {
     std::vector<Row> all;

@@ -22,11 +22,15 @@ namespace {
 
 Plan adaptivePlan(uint32_t samples, const std::function<void(AgaaAdaptiveSampling&)>& change = {},
                   const AgaaDeviceCaps& caps = fourSampleDevice()) {
-    return planFor({.technique = "adaptive", .samples = samples, .width = 64, .height = 48,
-                    .change = [&](TechniqueConfig& config) {
-                        if (change)
-                            change(config.adaptive);
-                    }},
+    return planFor({.technique = "adaptive",
+                    .samples = samples,
+                    .width = 64,
+                    .height = 48,
+                    .change =
+                        [&](TechniqueConfig& config) {
+                            if (change)
+                                change(config.adaptive);
+                        }},
                    caps);
 }
 
@@ -61,16 +65,22 @@ TEST(Adaptive, WindowsAreOrderedGrids) {
     for (uint32_t samples : {1u, 2u, 8u, 32u})
         EXPECT_NE(adaptivePlan(samples, {}, idealDevice()).view.visibilityTier, AGAA_TIER_ORDERED_GRID);
     // Other techniques have grids where they are asked for.
-    EXPECT_EQ(planFor({.technique = "ssaa", .samples = 16, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice()).view.scaleX, 4u);
-    EXPECT_EQ(planFor({.technique = "agaa", .samples = 16, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice()).view.scaleY, 4u);
+    EXPECT_EQ(planFor({.technique = "ssaa", .samples = 16, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice())
+                  .view.scaleX,
+              4u);
+    EXPECT_EQ(planFor({.technique = "agaa", .samples = 16, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice())
+                  .view.scaleY,
+              4u);
     EXPECT_EQ(planFor({.technique = "ssaa", .samples = 9}, idealDevice()).view.visibilityTier, AGAA_TIER_ORDERED_GRID);
-    EXPECT_THROW(planFor({.technique = "ssaa", .samples = 8, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice()), Error);
-    EXPECT_THROW(planFor({.technique = "ssaa", .samples = 9, .visibilityTier = AGAA_TIER_SCALED_TARGET}, idealDevice()), Error);
+    EXPECT_THROW(planFor({.technique = "ssaa", .samples = 8, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice()),
+                 Error);
+    EXPECT_THROW(planFor({.technique = "ssaa", .samples = 9, .visibilityTier = AGAA_TIER_SCALED_TARGET}, idealDevice()),
+                 Error);
     EXPECT_THROW(planFor({.technique = "agaa", .samples = 9}, idealDevice()), Error);
 }
 
-// Where the j-th sample comes in the order of Bayer 1973, which the paper prints as dither matrices; any of its rotations and
-// reflections does.
+// Where the j-th sample comes in the order of Bayer 1973, which the paper prints as dither matrices; any of its
+// rotations and reflections does.
 bool isBayer(const std::vector<uint32_t>& order, uint32_t side) {
     const std::vector<uint32_t> two = {0, 2, 3, 1}, four = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
     const std::vector<uint32_t>& matrix = side == 2 ? two : four;
@@ -101,10 +111,12 @@ bool isBayer(const std::vector<uint32_t>& order, uint32_t side) {
 // Which has the device's pattern where the host does not say otherwise.
 TEST(Adaptive, AGBufferOfTheHostIsNoGrid) {
     AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
-    function.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
+    function.glsl =
+        "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
     for (uint32_t samples : {4u, 16u}) {
         const auto plan = [&](uint32_t tier) {
-            return planFor({.technique = "adaptive", .samples = samples, .visibilityTier = tier, .chained = &function}, fourSampleDevice());
+            return planFor({.technique = "adaptive", .samples = samples, .visibilityTier = tier, .chained = &function},
+                           fourSampleDevice());
         };
         EXPECT_EQ(plan(AGAA_TIER_AUTO).view.visibilityTier, samples == 4 ? AGAA_TIER_NATIVE : AGAA_TIER_SCALED_TARGET);
         EXPECT_EQ(plan(AGAA_TIER_ORDERED_GRID).view.visibilityTier, AGAA_TIER_ORDERED_GRID);
@@ -128,11 +140,13 @@ TEST(Adaptive, SamplesComeInAnOrderThatSpreads) {
 
 TEST(Adaptive, OptionsAddPassesOfTheirOwn) {
     using Names = std::vector<std::string>;
-    const auto passes = [](const std::function<void(AgaaAdaptiveSampling&)>& change) { return computePasses(adaptivePlan(9, change)); };
+    const auto passes = [](const std::function<void(AgaaAdaptiveSampling&)>& change) {
+        return computePasses(adaptivePlan(9, change));
+    };
     EXPECT_EQ(passes({}), (Names{"shade_first", "list_further", "shade_further"}));
     EXPECT_EQ(passes([](AgaaAdaptiveSampling& a) { a.targetEvents = 2; }),
-              (Names{"sample_demand", "sample_limit", "shade_first", "count_samples", "shading_demand", "shading_limit", "list_further",
-                     "shade_further"}));
+              (Names{"sample_demand", "sample_limit", "shade_first", "count_samples", "shading_demand", "shading_limit",
+                     "list_further", "shade_further"}));
     EXPECT_EQ(passes([](AgaaAdaptiveSampling& a) { a.targetEvents = 2, a.flags = AGAA_ADAPTIVE_GEOMETRY; }),
               (Names{"sample_demand", "sample_limit", "shade_first", "list_further", "shade_further"}));
     EXPECT_EQ(passes([](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; }),
@@ -152,7 +166,8 @@ TEST(Adaptive, ListsSayHowManyGroupsThereAre) {
             lists.emplace_back(pass.name, pass.compute.dispatch.argumentsOffset);
         }
     using Lists = std::vector<std::pair<std::string, uint64_t>>;
-    EXPECT_EQ(lists, (Lists{{"count samples", 4 * (AGAA_COMPLEX_PIXELS_AT + 1)}, {"place pixels", 4 * (AGAA_FURTHER_AT + 1)},
+    EXPECT_EQ(lists, (Lists{{"count samples", 4 * (AGAA_COMPLEX_PIXELS_AT + 1)},
+                            {"place pixels", 4 * (AGAA_FURTHER_AT + 1)},
                             {"shade further samples", 4 * (AGAA_FURTHER_AT + 1)}}));
 }
 
@@ -165,7 +180,8 @@ TEST(Adaptive, MemoryIsAGBufferFirstSamplesAndChoices) {
     const double gbuffer = perPixel(ssaa, 0);
     EXPECT_EQ(perPixel(adaptivePlan(9), sums), gbuffer + 8 + 8);
     EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; }), sums), gbuffer + 8 + 12);
-    EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; }), sums), gbuffer + 8 + 16);
+    EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; }), sums),
+              gbuffer + 8 + 16);
     const Plan remembering = adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; });
     EXPECT_TRUE(remembering.resources[remembering.surface("sample-choices")].isPersistent);
     const Plan plain = adaptivePlan(9);

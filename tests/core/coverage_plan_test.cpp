@@ -15,8 +15,12 @@ namespace agaa::test {
 namespace {
 
 ViewSpec carried() {
-    return {.technique = "dcaa", .samples = 64, .aggregates = 4, .layout = "dcaa28",
-            .generationTier = AGAA_TIER_MATERIAL_LISTS, .fetches = false};
+    return {.technique = "dcaa",
+            .samples = 64,
+            .aggregates = 4,
+            .layout = "dcaa28",
+            .generationTier = AGAA_TIER_MATERIAL_LISTS,
+            .fetches = false};
 }
 
 uint64_t bytesOf(const Plan& plan, const std::string& name) { return plan.resources[plan.surface(name.c_str())].bytes; }
@@ -96,14 +100,18 @@ TEST(CoveragePlan, WhatFragmentsCannotCarryIsRefused) {
     }
 }
 
-// A device without geometry shaders runs each tier if vertex shaders of the host expand triangles, and says so otherwise.
+// A device without geometry shaders runs each tier if vertex shaders of the host expand triangles, and says so
+// otherwise.
 TEST(CoveragePlan, VertexPullingReplacesGeometryShaders) {
     AgaaDeviceCaps caps = idealDevice();
     caps.flags &= ~AGAA_DEVICE_GEOMETRY_SHADERS;
-    for (const auto& [technique, tier] :
-         {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
-          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_RASTER_ORDER}, {"dcaa", AGAA_TIER_AUTO},
-          {"agaa", AGAA_TIER_FRAGMENTS}, {"agaa", AGAA_TIER_AUTO}}) {
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS},
+                                          {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK},
+                                          {"dcaa", AGAA_TIER_RASTER_ORDER},
+                                          {"dcaa", AGAA_TIER_AUTO},
+                                          {"agaa", AGAA_TIER_FRAGMENTS},
+                                          {"agaa", AGAA_TIER_AUTO}}) {
         SCOPED_TRACE(std::string(technique) + " " + agaaTierName(tier));
         ViewSpec spec{.technique = technique, .samples = 64, .aggregates = 2, .generationTier = uint32_t(tier)};
         const std::string refused = refusal(spec, caps);
@@ -186,8 +194,9 @@ TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
     dialect.descriptorSet = 2;
     const std::string vulkan = hostDeclarations(plan, *draw, dialect);
     EXPECT_EQ(hostExtensions(*draw, dialect), "");
-    EXPECT_NE(vulkan.find("layout(input_attachment_index = 0, set = 2, binding = 10) uniform usubpassInput agaa_held[7];"),
-              std::string::npos);
+    EXPECT_NE(
+        vulkan.find("layout(input_attachment_index = 0, set = 2, binding = 10) uniform usubpassInput agaa_held[7];"),
+        std::string::npos);
     EXPECT_NE(vulkan.find("layout(location = 6) out uvec4 agaa_target6;"), std::string::npos);
     EXPECT_EQ(draw->draw.state.readsAttachments, 1u);
     caps.flags &= ~AGAA_DEVICE_FRAMEBUFFER_FETCH;
@@ -207,8 +216,10 @@ void useOwnPattern(TechniqueConfig& config) { config.coverage.samplePositions = 
 
 // A table of the usual size, a pass that fills it, and all else as with the library's pattern.
 TEST(CoveragePlan, OwnPatternsTakeATable) {
-    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
-                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_RASTER_ORDER},
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS},
+                                          {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK},
+                                          {"dcaa", AGAA_TIER_RASTER_ORDER},
                                           {"agaa", AGAA_TIER_FRAGMENTS}}) {
         SCOPED_TRACE(agaaTierName(tier));
         ViewSpec spec{.technique = technique, .samples = 64, .aggregates = 2, .generationTier = uint32_t(tier)};
@@ -240,8 +251,9 @@ TEST(CoveragePlan, OwnPatternsTakeATable) {
 
 // Techniques and tiers without coverage samples do not read positions.
 TEST(CoveragePlan, OtherTechniquesHaveNoTable) {
-    for (const ViewSpec& used : {ViewSpec{.technique = "ssaa", .samples = 32}, ViewSpec{.technique = "agaa", .samples = 8},
-                                 ViewSpec{.technique = "agaa", .samples = 32, .generationTier = AGAA_TIER_GBUFFER}}) {
+    for (const ViewSpec& used :
+         {ViewSpec{.technique = "ssaa", .samples = 32}, ViewSpec{.technique = "agaa", .samples = 8},
+          ViewSpec{.technique = "agaa", .samples = 32, .generationTier = AGAA_TIER_GBUFFER}}) {
         ViewSpec spec = used;
         const Plan plain = planFor(spec, idealDevice());
         spec.change = useOwnPattern;
@@ -266,9 +278,10 @@ TEST(CoveragePlan, InterlockCompiles) {
             HostDialect dialect;
             for (const bool openGl : {false, true}) {
                 dialect.openGl = openGl;
-                const std::string text = "#version 450\n" + hostExtensions(*pass, dialect) + "#define AGAA_ALPHA_MASKED " +
-                                         masked + "\n" + hostDeclarations(plan, *pass, dialect) +
-                                         "void main() {\n    AgaaSurfaceInput s = agaa_surfaceInput();\n    agaa_emit(s);\n}\n";
+                const std::string text =
+                    "#version 450\n" + hostExtensions(*pass, dialect) + "#define AGAA_ALPHA_MASKED " + masked + "\n" +
+                    hostDeclarations(plan, *pass, dialect) +
+                    "void main() {\n    AgaaSurfaceInput s = agaa_surfaceInput();\n    agaa_emit(s);\n}\n";
                 glslang::TShader shader(EShLangFragment);
                 const char* source = text.c_str();
                 shader.setStrings(&source, 1);
@@ -278,7 +291,8 @@ TEST(CoveragePlan, InterlockCompiles) {
                     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
                 }
                 const auto messages = openGl ? EShMsgDefault : EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
-                ASSERT_TRUE(shader.parse(GetDefaultResources(), openGl ? 110 : 450, false, messages)) << shader.getInfoLog();
+                ASSERT_TRUE(shader.parse(GetDefaultResources(), openGl ? 110 : 450, false, messages))
+                    << shader.getInfoLog();
                 glslang::TProgram program;
                 program.addShader(&shader);
                 ASSERT_TRUE(program.link(messages)) << program.getInfoLog();

@@ -22,15 +22,15 @@ protected:
 
 // As the preprocessor of OpenGL ES, which insists.
 std::string conditionErrors(const std::string& text) {
-    const std::string bare = "#version 310 es\n" +
-                             std::regex_replace(text, std::regex("(^|\n)#(version|extension)[^\n]*"), "$1");
+    const std::string bare =
+        "#version 310 es\n" + std::regex_replace(text, std::regex("(^|\n)#(version|extension)[^\n]*"), "$1");
     glslang::TShader shader(EShLangCompute);
     const char* source = bare.c_str();
     shader.setStrings(&source, 1);
     std::string out;
     glslang::TShader::ForbidIncluder includer;
-    const bool good = shader.preprocess(GetDefaultResources(), 310, EEsProfile, false, false, EShMsgDefault, &out,
-                                        includer);
+    const bool good =
+        shader.preprocess(GetDefaultResources(), 310, EEsProfile, false, false, EShMsgDefault, &out, includer);
     return good ? "" : shader.getInfoLog();
 }
 
@@ -57,7 +57,8 @@ public:
                       "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {}\n";
         fetch_.maxDraws = fetch_.maxPrimitives = 100;
         fetch_.flags = functions == Functions::FetchOfSome ? AGAA_FETCH_NOT_ALL_DRAWS : 0;
-        gbuffer_.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return true; }";
+        gbuffer_.glsl =
+            "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return true; }";
         shadow_.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }";
         shadow_.shadows = 1;
         switch (functions) {
@@ -133,7 +134,9 @@ TEST_F(GlslConditions, NameWhatIsDefined) {
                 spec.configFlags = each.configFlags | (viewFlags ? AGAA_CONFIG_COUNTERS : 0);
                 spec.viewFlags = viewFlags;
                 spec.shadowMaps = shadowMaps;
-                spec.change = [&](TechniqueConfig& config) { config.aggregation.litShadows = each.litShadows & shadowMaps; };
+                spec.change = [&](TechniqueConfig& config) {
+                    config.aggregation.litShadows = each.litShadows & shadowMaps;
+                };
                 AgaaDeviceCaps caps = fourSampleDevice();
                 caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK | AGAA_DEVICE_FRAMEBUFFER_FETCH;
                 const Plan plan = planFor(spec, caps);

@@ -36,7 +36,8 @@ TEST(GoalTable, RowsAreSettingsOfTechniques) {
         for (const float share : row.errorShares)
             EXPECT_GT(share, 0);
         EXPECT_TRUE(seen.insert(std::string(row.technique) + "-" + std::to_string(row.samples) + "-" +
-                                std::to_string(row.aggregates) + row.preset + std::to_string(row.tier)).second);
+                                std::to_string(row.aggregates) + row.preset + std::to_string(row.tier))
+                        .second);
     }
 }
 
@@ -143,7 +144,8 @@ TEST(Goals, FewLightsPreferBruteForceAndManyDoNot) {
     EXPECT_STREQ(host.fresh(&many).technique, "agaa") << host.choice.reason;
 }
 
-// An engine with one light measured 98 ms with "ssaa", 113 ms with "agaa" c=2 and 73 ms with its preset "fast", from a G-buffer.
+// An engine with one light measured 98 ms with "ssaa", 113 ms with "agaa" c=2 and 73 ms with its preset "fast", from a
+// G-buffer.
 TEST(Goals, OneLightHasTheOrderThatAnEngineMeasured) {
     const auto time = [](const char* technique, uint32_t aggregates, const char* preset, AgaaTier tier) {
         for (const ChoiceRow& row : choiceRows())
@@ -224,7 +226,8 @@ TEST(Goals, TimesOfTheDeviceScalePredictions) {
     host.goal.maxErrorShare = 0.14f;
     const AgaaChoice table = host.fresh(&frame);
     EXPECT_EQ(table.hasTimes, 0u);
-    const FrameTimes times = predictTimes(choiceRows()[0], {0.6, usualTerms(host.facts).complexity, 17, 1}, frame.pixels);
+    const FrameTimes times =
+        predictTimes(choiceRows()[0], {0.6, usualTerms(host.facts).complexity, 17, 1}, frame.pixels);
     frame.flags |= AGAA_OBSERVED_TIMES;
     frame.geometryMilliseconds = float(times.geometry / 100);
     frame.shadingMilliseconds = float(times.shading / 100);
@@ -265,8 +268,9 @@ public:
 private:
     static const ChoiceRow& rowOf(const AgaaChoice& c) {
         for (const ChoiceRow& row : choiceRows())
-            if (std::strcmp(row.technique, c.technique) == 0 && row.samples == c.samples && row.aggregates == c.aggregates &&
-                std::string(row.preset) == (c.preset ? c.preset : "") && uint32_t(row.tier) == c.generationTier)
+            if (std::strcmp(row.technique, c.technique) == 0 && row.samples == c.samples &&
+                row.aggregates == c.aggregates && std::string(row.preset) == (c.preset ? c.preset : "") &&
+                uint32_t(row.tier) == c.generationTier)
                 return row;
         throw std::logic_error("no row");
     }

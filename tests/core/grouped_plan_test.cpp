@@ -176,7 +176,7 @@ TEST(GroupedPlan, ExtensionsOfTheHostsCodeFollowTheVersion) {
     EXPECT_NE(passGlsl(pass).find("#version 450\n" + both), std::string::npos) << passGlsl(pass).substr(0, 500);
     EXPECT_NE(passGlslForOpenGl(pass, 430).find("#version 430\n" + both), std::string::npos);
     EXPECT_EQ(pass.compute.hostCodeOrigin, "AgaaFetchFunction::glsl and ::glslExtensions with "
-                                   "AgaaShadowFunction::glsl and ::glslExtensions");
+                                           "AgaaShadowFunction::glsl and ::glslExtensions");
 }
 
 // Compiled only: no software rasteriser here has the feature.
@@ -223,8 +223,8 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
         layout = *config.layout;
         layout.attributeCount = 4;
         for (const char* name : names)
-            layout.attributes[layout.attributeCount++] = {
-                AGAA_SEMANTIC_CUSTOM, 1, 16, 0, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, name, {}};
+            layout.attributes[layout.attributeCount++] = {AGAA_SEMANTIC_CUSTOM, 1,    16, 0, 0, AGAA_ENCODING_UNORM, 1,
+                                                          AGAA_FILTER_MEAN,     name, {}};
         config.layout = &layout;
     };
     EXPECT_EQ(lengthOn(8704 + 160 * 156), 160u);

@@ -36,9 +36,8 @@ std::string compileErrors(const std::string& text, const HostDialect& dialect) {
 }
 
 std::string hostShader(const Plan& plan, const Pass& pass, const HostDialect& dialect, bool masked) {
-    std::string text = "#version " + std::to_string(dialect.glslVersion) + "\n" +
-                       hostExtensions(pass, dialect) + "#define AGAA_ALPHA_MASKED " +
-                       (masked ? "1\n" : "0\n") + hostDeclarations(plan, pass, dialect);
+    std::string text = "#version " + std::to_string(dialect.glslVersion) + "\n" + hostExtensions(pass, dialect) +
+                       "#define AGAA_ALPHA_MASKED " + (masked ? "1\n" : "0\n") + hostDeclarations(plan, pass, dialect);
     // Before 4.10 fragment inputs are matched by name.
     text += dialect.glslVersion < 410 ? "#define AT(n)\n" : "#define AT(n) layout(location = n)\n";
     return text + R"(
@@ -62,8 +61,7 @@ void main() {
 
 constexpr uint64_t routed = UINT64_C(1) << 63; // by the first sample
 
-template <typename Visit>
-void forEveryHostPass(const Visit& visit) {
+template <typename Visit> void forEveryHostPass(const Visit& visit) {
     for (const char* technique : {"single", "msaa", "ssaa", "sbaa", "agaa"})
         for (const char* layout : {"precise", "paper16"})
             for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
@@ -117,17 +115,21 @@ TEST(HostGlslCorners, HaveALocationInEveryVersion) {
         ViewSpec spec{.technique = "dcaa", .samples = 64, .aggregates = 4, .generationTier = AGAA_TIER_MATERIAL_LISTS};
         spec.viewFlags = isPulled ? AGAA_VIEW_VERTEX_PULLING : 0;
         const Plan plan = planFor(spec, idealDevice());
-        const Pass& pass = *std::ranges::find_if(plan.passes, [](const Pass& p) { return p.kind == PassKind::HostDraw; });
+        const Pass& pass =
+            *std::ranges::find_if(plan.passes, [](const Pass& p) { return p.kind == PassKind::HostDraw; });
         for (const uint32_t version : {330u, 400u, 410u, 430u, 460u}) {
             HostDialect dialect;
             dialect.openGl = true;
             dialect.glslVersion = version;
-            const std::string expansion = isPulled ? hostVertex(plan, pass, dialect) : hostGeometry(plan, pass, dialect);
+            const std::string expansion =
+                isPulled ? hostVertex(plan, pass, dialect) : hostGeometry(plan, pass, dialect);
             for (const std::string& text : {expansion, hostDeclarations(plan, pass, dialect)}) {
-                EXPECT_NE(text.find("#define AGAA_AT_CORNERS layout(location = AGAA_CORNER_LOCATION)"), std::string::npos);
+                EXPECT_NE(text.find("#define AGAA_AT_CORNERS layout(location = AGAA_CORNER_LOCATION)"),
+                          std::string::npos);
                 EXPECT_NE(text.find("AGAA_AT_CORNERS flat"), std::string::npos);
             }
-            EXPECT_EQ(hostExtensions(pass, dialect).find("ARB_separate_shader_objects") != std::string::npos, version < 410);
+            EXPECT_EQ(hostExtensions(pass, dialect).find("ARB_separate_shader_objects") != std::string::npos,
+                      version < 410);
         }
     }
 }
@@ -151,7 +153,8 @@ TEST_F(HostGlsl, CoverageCompilesAlone) {
                 continue;
             const std::string shader = std::string("#version ") + version +
                                        "\n#define real 3\n#define rvec2 4\n#define OUT 5\n#define INOUT 6\n"
-                                       "#define PRECISE 7\n" + text + R"(
+                                       "#define PRECISE 7\n" +
+                                       text + R"(
 #if real + rvec2 + OUT + INOUT + PRECISE != 25
 #error a macro of the host's is lost
 #endif
@@ -185,8 +188,7 @@ TEST(HostGlslForward, WithoutStorageBlocksLightsAreBounded) {
                 EXPECT_THROW(hostDeclarations(plan, pass, dialect), Error);
                 continue;
             }
-            EXPECT_NE(hostDeclarations(plan, pass, dialect).find("std140, AGAA_BINDING_LIGHTS"),
-                      std::string::npos);
+            EXPECT_NE(hostDeclarations(plan, pass, dialect).find("std140, AGAA_BINDING_LIGHTS"), std::string::npos);
         }
     }
 }
@@ -230,8 +232,9 @@ TEST_F(HostGlsl, WithoutBlocksNoneIsDeclared) {
                             shader.setStrings(&source, 1);
                             std::string plain;
                             glslang::TShader::ForbidIncluder includer;
-                            ASSERT_TRUE(shader.preprocess(GetDefaultResources(), 110, ENoProfile, false, false, EShMsgDefault,
-                                                          &plain, includer)) << shader.getInfoLog();
+                            ASSERT_TRUE(shader.preprocess(GetDefaultResources(), 110, ENoProfile, false, false,
+                                                          EShMsgDefault, &plain, includer))
+                                << shader.getInfoLog();
                             EXPECT_EQ(std::regex_search(plain, block), constants == AGAA_GL_CONSTANTS_BLOCK) << plain;
                         }
                     }
@@ -249,14 +252,13 @@ TEST_F(HostGlsl, WithoutBlocksNoneIsDeclared) {
         Error);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, HostDialects,
-    testing::Values(HostDialect{}, openGl(450, false, false), openGl(450, true, true),
-                    openGl(430, false, true), openGl(400, true, false)),
-    [](const auto& info) {
-        const HostDialect& d = info.param;
-        return std::string(d.openGl ? "OpenGL" : "Vulkan") + std::to_string(d.glslVersion) +
-               (d.storageImages ? "Images" : "") + (d.hostOutputs ? "HostOutputs" : "");
-    });
+INSTANTIATE_TEST_SUITE_P(All, HostDialects,
+                         testing::Values(HostDialect{}, openGl(450, false, false), openGl(450, true, true),
+                                         openGl(430, false, true), openGl(400, true, false)),
+                         [](const auto& info) {
+                             const HostDialect& d = info.param;
+                             return std::string(d.openGl ? "OpenGL" : "Vulkan") + std::to_string(d.glslVersion) +
+                                    (d.storageImages ? "Images" : "") + (d.hostOutputs ? "HostOutputs" : "");
+                         });
 
 } // namespace

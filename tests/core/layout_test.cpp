@@ -38,8 +38,7 @@ void expectSound(const AggregatePacking& packing, uint32_t samples) {
         used[field.word] |= mask;
         // n values of full scale fit the field.
         if (extra || samples == 1) {
-            EXPECT_LE(uint64_t(samples) * ((UINT64_C(1) << field.bits) - 1),
-                      (UINT64_C(1) << (field.bits + extra)) - 1);
+            EXPECT_LE(uint64_t(samples) * ((UINT64_C(1) << field.bits) - 1), (UINT64_C(1) << (field.bits + extra)) - 1);
         }
     };
     for (const Field& field : packing.fields)
@@ -53,7 +52,8 @@ std::vector<std::string> membersOf(const char* file, const std::string& structur
     const size_t begin = text.find("struct " + structure + " {"), end = text.find("};", begin);
     EXPECT_NE(begin, std::string::npos) << structure;
     const std::string body = text.substr(begin, end - begin);
-    static const std::regex declaration(R"(\n +(?:bool|u?int|float|vec[234]) ([^;]+);)"), name(R"(([A-Za-z]\w*)(?:\[\d+\])?)");
+    static const std::regex declaration(R"(\n +(?:bool|u?int|float|vec[234]) ([^;]+);)"),
+        name(R"(([A-Za-z]\w*)(?:\[\d+\])?)");
     std::vector<std::string> names;
     for (std::sregex_iterator at(body.begin(), body.end(), declaration), none; at != none; ++at) {
         const std::string list = (*at)[1];
@@ -65,7 +65,8 @@ std::vector<std::string> membersOf(const char* file, const std::string& structur
 
 // Attributes of a host become members of these structs.
 TEST(Layout, MembersOfShaderStructsAreTaken) {
-    for (const auto& [file, structure, least] : {std::tuple{"host/surface.glsl", "AgaaSurfaceInput", 15u}, {"common/host_code.glsl", "AgaaMaterial", 6u}}) {
+    for (const auto& [file, structure, least] :
+         {std::tuple{"host/surface.glsl", "AgaaSurfaceInput", 15u}, {"common/host_code.glsl", "AgaaMaterial", 6u}}) {
         const std::vector<std::string> names = membersOf(file, structure);
         EXPECT_GE(names.size(), least) << structure;
         for (const std::string& name : names) {
@@ -161,10 +162,10 @@ TEST(Layout, FactsSaveBytes) {
         uint32_t sampleBytes, aggregateBytes;
     };
     constexpr uint64_t all = AGAA_FACT_ALL_SHADED;
-    for (const Row& row : {Row{all, 22, 36}, Row{all | AGAA_FACT_GREY_SPECULAR, 20, 32},
-                           Row{all | AGAA_FACT_ONE_SPECULAR, 18, 28}, Row{all | AGAA_FACT_ONE_ROUGHNESS, 20, 32},
-                           Row{all | AGAA_FACT_NO_DIFFUSE, 16, 28}, Row{all & ~AGAA_FACT_EMISSIVE, 16, 24},
-                           Row{all & ~AGAA_FACT_SPECULAR, 16, 24}}) {
+    for (const Row& row :
+         {Row{all, 22, 36}, Row{all | AGAA_FACT_GREY_SPECULAR, 20, 32}, Row{all | AGAA_FACT_ONE_SPECULAR, 18, 28},
+          Row{all | AGAA_FACT_ONE_ROUGHNESS, 20, 32}, Row{all | AGAA_FACT_NO_DIFFUSE, 16, 28},
+          Row{all & ~AGAA_FACT_EMISSIVE, 16, 24}, Row{all & ~AGAA_FACT_SPECULAR, 16, 24}}) {
         const Layout layout = reduceLayout(builtin("precise"), row.facts);
         uint32_t bytes = 0;
         for (Format format : packGBuffer(layout).attachments)
@@ -177,7 +178,8 @@ TEST(Layout, FactsSaveBytes) {
     const auto twoPass = [&](uint64_t facts) { return twoPassLayout(reduceLayout(builtin("precise"), facts), facts); };
     EXPECT_EQ(packAggregate(twoPass(flat), 8).bytes(), 8u);
     EXPECT_EQ(packAggregate(twoPass(0), 8).bytes(), 16u);
-    EXPECT_EQ(packAggregate(twoPass(AGAA_FACT_PLANE_NORMALS), 8).bytes(), 16u) << "lights near planes need all bits of normals";
+    EXPECT_EQ(packAggregate(twoPass(AGAA_FACT_PLANE_NORMALS), 8).bytes(), 16u)
+        << "lights near planes need all bits of normals";
     EXPECT_EQ(packAggregate(twoPass(all | flat), 8).bytes(), 36u) << "and highlights";
     Layout kept = reduceLayout(builtin("precise"), all | AGAA_FACT_ONE_ROUGHNESS, true);
     EXPECT_TRUE(kept.has(AGAA_SEMANTIC_ROUGHNESS)) << "of techniques that store widened lobes";
@@ -213,8 +215,7 @@ TEST(Layout, WrongLayoutsAreRefusedWithAReason) {
         {"custom of two underscores", [](AgaaLayout& l) { addCustom(l, "wind__x"); }},
         {"custom of 32 letters", [](AgaaLayout& l) { addCustom(l, "abcdefghijklmnopqrstuvwxyzabcdef"); }},
         {"custom of five channels", [](AgaaLayout& l) { addCustom(l, "wind").channels = 5; }},
-        {"custom normal of two channels",
-         [](AgaaLayout& l) { addCustom(l, "wind").filter = AGAA_FILTER_NORMAL; }},
+        {"custom normal of two channels", [](AgaaLayout& l) { addCustom(l, "wind").filter = AGAA_FILTER_NORMAL; }},
         {"custom of an unknown filter", [](AgaaLayout& l) { addCustom(l, "wind").filter = 3; }},
         {"custom of 48 bits unfiltered",
          [](AgaaLayout& l) {

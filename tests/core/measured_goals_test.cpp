@@ -1,4 +1,5 @@
-// Settings for goals by what a host measured in its own scene: its errors and times decide, and observed times scale them.
+// Settings for goals by what a host measured in its own scene: its errors and times decide, and observed times scale
+// them.
 #include "goal_host.h"
 
 #include "core/tuning/cost_model.h"
@@ -102,7 +103,8 @@ TEST(MeasuredGoals, ErrorsAreTheMeasuredOnesWhateverTheSceneShare) {
         for (const float error : {choice.errorShare, choice.errorShareMedian, choice.errorShareWorst})
             EXPECT_EQ(error, 0.2f);
         EXPECT_EQ(choice.error, 0.2f * 0.01f);
-        EXPECT_NE(std::string(choice.reason).find("Measured: error 0.2 of single's."), std::string::npos) << choice.reason;
+        EXPECT_NE(std::string(choice.reason).find("Measured: error 0.2 of single's."), std::string::npos)
+            << choice.reason;
     }
     host.goal.maxErrorShare = 0;
     host.goal.maxError = 0.0015f;
@@ -119,7 +121,8 @@ TEST(MeasuredGoals, OnlyNamedSettingsAreCandidates) {
             host.goal.maxErrorShare = limit;
             const AgaaChoice choice = host.freshMeasured();
             EXPECT_TRUE(isOf(choice, rowNamed("single", 1)) || isOf(choice, rowNamed("ssaa", 4)) ||
-                        isOf(choice, rowNamed("ssaa", 8))) << choice.reason;
+                        isOf(choice, rowNamed("ssaa", 8)))
+                << choice.reason;
             EXPECT_EQ(choice.leftOut, 0u) << choice.reason;
         }
     host.choice = AGAA_CHOICE_INIT;
@@ -187,7 +190,8 @@ TEST(MeasuredGoals, WithoutTimesTheTablePredictsThem) {
     EXPECT_NE(std::string(host.choice.reason).find("on the table's device"), std::string::npos) << host.choice.reason;
     const FrameTimes single = predictTimes(rowNamed("single", 1), usualTerms(host.facts), 1280 * 720);
     host.measured.erase(host.measured.begin()); // observed settings need not be named
-    const AgaaObservation frame = timedFrame(rowNamed("single", 1), float(single.geometry / 8), float(single.shading / 8));
+    const AgaaObservation frame =
+        timedFrame(rowNamed("single", 1), float(single.geometry / 8), float(single.shading / 8));
     EXPECT_FLOAT_EQ(host.freshMeasured(&frame).milliseconds, float(table.geometry + table.shading) / 8);
 }
 
@@ -203,7 +207,8 @@ TEST(MeasuredGoals, TimesOfSettingsThatWereNotMeasuredAreNotUsed) {
 TEST(MeasuredGoals, ObservedTimesAreForgottenWhenMeasuredTimesChange) {
     HostOfThree host;
     host.goal.maxErrorShare = 0.5f;
-    const AgaaObservation frame = timedFrame(rowNamed("single", 1), 0.01f, 0.01f); // much faster than the table's device
+    const AgaaObservation frame =
+        timedFrame(rowNamed("single", 1), 0.01f, 0.01f); // much faster than the table's device
     EXPECT_EQ(host.fresh(&frame).hasTimes, 1u);
     ASSERT_EQ(host.chooseMeasured(), AGAA_OK) << host.message;
     EXPECT_EQ(host.choice.hasTimes, 0u);
@@ -247,8 +252,9 @@ TEST(MeasuredGoals, ChoicesSettleUnderNoise) {
     ASSERT_EQ(host.chooseMeasured(), AGAA_OK);
     for (int frame = 0; frame < 600; ++frame) {
         const AgaaMeasuredSettings& m = host.measured[host.choice.samples == 4 ? 1 : 2];
-        const AgaaObservation o = timedFrame(rowNamed("ssaa", host.choice.samples), m.geometryMilliseconds * noise(random),
-                                             m.shadingMilliseconds * noise(random));
+        const AgaaObservation o =
+            timedFrame(rowNamed("ssaa", host.choice.samples), m.geometryMilliseconds * noise(random),
+                       m.shadingMilliseconds * noise(random));
         ASSERT_EQ(host.chooseMeasured(&o), AGAA_OK);
         EXPECT_EQ(host.choice.hasChanged, 0u) << frame << ": " << host.choice.reason;
     }
@@ -263,7 +269,8 @@ TEST(MeasuredGoals, BadInputLeavesTheOutput) {
     host.freshMeasured();
     const AgaaChoice before = host.choice;
     const std::vector<AgaaMeasuredSettings> valid = host.measured;
-    const auto refused = [&](AgaaResult expected, const char* words, const std::function<void(AgaaMeasuredSettings&)>& spoil) {
+    const auto refused = [&](AgaaResult expected, const char* words,
+                             const std::function<void(AgaaMeasuredSettings&)>& spoil) {
         host.measured = valid;
         spoil(host.measured[1]);
         EXPECT_EQ(host.chooseMeasured(), expected) << words;
@@ -285,7 +292,8 @@ TEST(MeasuredGoals, BadInputLeavesTheOutput) {
     refused(invalid, "table of choices", [](AgaaMeasuredSettings& m) { m.samples = 5; });
     refused(invalid, "table of choices", [](AgaaMeasuredSettings& m) { m.technique = nullptr; });
     refused(invalid, "element before it", [&](AgaaMeasuredSettings& m) { m = valid[0]; });
-    refused(invalid, "times of some", [](AgaaMeasuredSettings& m) { m.geometryMilliseconds = m.shadingMilliseconds = 0; });
+    refused(invalid, "times of some",
+            [](AgaaMeasuredSettings& m) { m.geometryMilliseconds = m.shadingMilliseconds = 0; });
     refused(invalid, "pixels are 0", [](AgaaMeasuredSettings& m) { m.pixels = 0; });
     refused(invalid, "errorShare is 0", [](AgaaMeasuredSettings& m) { m.errorShare = 0; });
     refused(AGAA_ERROR_STRUCT, "AgaaMeasuredSettings has sType", [](AgaaMeasuredSettings& m) { m.sType = 0; });
@@ -326,7 +334,9 @@ TEST(MeasuredGoals, OneFrameAfterOtherMeasuredTimesChangesNothing) {
 TEST(MeasuredGoals, TheirOrderDoesNotMatter) {
     HostOfThree host;
     host.freshMeasured();
-    const auto numbers = [&] { return std::vector<float>(std::begin(host.choice.memory), std::end(host.choice.memory)); };
+    const auto numbers = [&] {
+        return std::vector<float>(std::begin(host.choice.memory), std::end(host.choice.memory));
+    };
     const std::vector<float> before = numbers();
     std::swap(host.measured[0], host.measured[2]);
     host.freshMeasured();

@@ -171,16 +171,15 @@ TEST(Memory, BlocksOfMeetingLifetimesDoNotOverlap) {
         blocks.clear();
         for (int i = 0; i < 12; ++i) {
             const uint32_t first = next() % 8;
-            blocks.push_back({next() % 5000 + 1, UINT64_C(1) << next() % 9, first,
-                              first + next() % 4, 0});
+            blocks.push_back({next() % 5000 + 1, UINT64_C(1) << next() % 9, first, first + next() % 4, 0});
         }
         const uint64_t height = placeBlocks(blocks);
         for (size_t i = 0; i < blocks.size(); ++i) {
             EXPECT_EQ(blocks[i].offset % blocks[i].alignment, 0u);
             EXPECT_LE(blocks[i].offset + blocks[i].size, height);
             for (size_t j = 0; j < i; ++j) {
-                const bool meet = blocks[i].firstPass <= blocks[j].lastPass &&
-                                  blocks[j].firstPass <= blocks[i].lastPass;
+                const bool meet =
+                    blocks[i].firstPass <= blocks[j].lastPass && blocks[j].firstPass <= blocks[i].lastPass;
                 const bool apart = blocks[i].offset + blocks[i].size <= blocks[j].offset ||
                                    blocks[j].offset + blocks[j].size <= blocks[i].offset;
                 EXPECT_TRUE(!meet || apart);

@@ -48,8 +48,8 @@ struct ViewSpec {
     uint32_t shadowMaps = 1;
     uint32_t maxLights = 4; // so few are not culled
     uint64_t viewFlags = 0;
-    const void* chained = nullptr;                 // to the view
-    bool fetches = true;                           // of techniques with coverage samples, where nothing else is chained
+    const void* chained = nullptr; // to the view
+    bool fetches = true;           // of techniques with coverage samples, where nothing else is chained
     std::function<void(TechniqueConfig&)> change = {}; // of what else there is
 };
 

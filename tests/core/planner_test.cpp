@@ -22,8 +22,7 @@ using namespace agaa::test;
 namespace {
 
 TEST(Planner, ScaledTargetsGiveTheAskedSamplesOnAFourSampleDevice) {
-    const std::pair<uint32_t, std::pair<uint32_t, uint32_t>> expected[] = {
-        {8, {1, 2}}, {16, {2, 2}}, {32, {2, 4}}};
+    const std::pair<uint32_t, std::pair<uint32_t, uint32_t>> expected[] = {{8, {1, 2}}, {16, {2, 2}}, {32, {2, 4}}};
     for (const auto& [samples, scale] : expected) {
         ViewSpec spec;
         spec.samples = samples;
@@ -67,7 +66,8 @@ TEST(Planner, UploadsAreReadInOneSegmentEach) {
             const Plan plan = planFor(spec, fourSampleDevice());
             for (const Resource& resource : plan.resources) {
                 const bool isUpload = resource.content != UploadContent::None;
-                EXPECT_TRUE(!isUpload || std::popcount(resource.segments) <= 1) << technique->name << ", " << resource.name;
+                EXPECT_TRUE(!isUpload || std::popcount(resource.segments) <= 1)
+                    << technique->name << ", " << resource.name;
             }
         }
 }
@@ -93,13 +93,14 @@ TEST(Planner, APlanHasNoMorePassesThanStatisticsHold) {
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.code, AGAA_ERROR_INTERNAL);
-        EXPECT_NE(error.message.find(std::to_string(AGAA_MAX_PASSES + 1) + " passes"), std::string::npos) << error.message;
+        EXPECT_NE(error.message.find(std::to_string(AGAA_MAX_PASSES + 1) + " passes"), std::string::npos)
+            << error.message;
     }
 }
 
 TEST(Planner, SamplesLieApartInsideThePixel) {
-    for (auto [hw, sx, sy] : {std::tuple{4u, 1u, 2u}, {4u, 2u, 2u}, {4u, 2u, 4u}, {8u, 2u, 2u},
-                              {1u, 4u, 8u}, {16u, 1u, 2u}}) {
+    for (auto [hw, sx, sy] :
+         {std::tuple{4u, 1u, 2u}, {4u, 2u, 2u}, {4u, 2u, 4u}, {8u, 2u, 2u}, {1u, 4u, 8u}, {16u, 1u, 2u}}) {
         const auto positions = samplePositions(standardPositions(hw), sx, sy);
         std::set<std::pair<float, float>> distinct;
         for (uint32_t i = 0; i < hw * sx * sy; ++i) {
@@ -170,9 +171,11 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
                 spec.chained = &fetch;
             const bool pulls = isCoverage && !(caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS);
             if (isGeneration) {
-                EXPECT_EQ(std::string(row.reason).find("AGAA_VIEW_VERTEX_PULLING") != std::string::npos, pulls) << row.reason;
+                EXPECT_EQ(std::string(row.reason).find("AGAA_VIEW_VERTEX_PULLING") != std::string::npos, pulls)
+                    << row.reason;
                 EXPECT_EQ(std::string(row.reason).find("with an AgaaFetchFunction") != std::string::npos,
-                          isFirst ? isFragments : spec.chained != nullptr) << row.reason;
+                          isFirst ? isFragments : spec.chained != nullptr)
+                    << row.reason;
             }
             if (pulls) {
                 EXPECT_THROW(planFor(spec, caps), Error);
@@ -230,7 +233,8 @@ TEST(Planner, ListsFitAStorageBuffer) {
 TEST(Planner, CoverageSamplesAre32Or64Or128) {
     for (const uint32_t samples : {33u, 48u, 96u, 256u})
         EXPECT_THROW(planFor({.technique = "dcaa", .samples = samples}, idealDevice()), Error) << samples;
-    EXPECT_THROW(planFor({.technique = "dcaa", .samples = 64, .visibilityTier = AGAA_TIER_SCALED_TARGET}, idealDevice()), Error);
+    EXPECT_THROW(
+        planFor({.technique = "dcaa", .samples = 64, .visibilityTier = AGAA_TIER_SCALED_TARGET}, idealDevice()), Error);
     AgaaDeviceCaps caps = idealDevice();
     caps.flags &= ~AGAA_DEVICE_GEOMETRY_SHADERS;
     EXPECT_THROW(planFor({.technique = "dcaa", .samples = 64}, caps), Error);
@@ -275,7 +279,8 @@ TEST(Planner, MaterialsOfTheirOwnDepthGoThroughAGBuffer) {
 // The row of a technique says which facts views may announce.
 TEST(Planner, FactsThatATechniqueCannotShowAreRefused) {
     for (const Technique* technique : techniques())
-        for (const uint64_t fact : {AGAA_FACT_CUSTOM_DEPTH, AGAA_FACT_ONE_ROUGHNESS, AGAA_FACT_NO_DIFFUSE, AGAA_FACT_PLANE_NORMALS}) {
+        for (const uint64_t fact :
+             {AGAA_FACT_CUSTOM_DEPTH, AGAA_FACT_ONE_ROUGHNESS, AGAA_FACT_NO_DIFFUSE, AGAA_FACT_PLANE_NORMALS}) {
             ViewSpec spec;
             spec.technique = technique->name;
             spec.samples = technique->maxSamples == 0 ? 64 : 1;
@@ -371,11 +376,12 @@ TEST(Planner, LightsAreCulledWhereThereAreManyAndADepth) {
         EXPECT_EQ(passesOf(spec), 0) << technique;
     }
     for (const char* technique : {"msaa", "dcaa"})
-        EXPECT_EQ(passesOf({.technique = technique, .samples = technique[0] == 'd' ? 32u : 4u, .maxLights = 64}), 0) << technique;
+        EXPECT_EQ(passesOf({.technique = technique, .samples = technique[0] == 'd' ? 32u : 4u, .maxLights = 64}), 0)
+            << technique;
 }
 
-// OpenGL has few places of a kind, so that slots share them: never in one pass. Hosts have storage buffers from place 4 on, but
-// where there are lists of fragments.
+// OpenGL has few places of a kind, so that slots share them: never in one pass. Hosts have storage buffers from place 4
+// on, but where there are lists of fragments.
 TEST(Planner, SlotsOfAPassHavePlacesOfTheirOwn) {
     const auto check = [](const ViewSpec& spec, uint32_t ends) {
         const Plan plan = planFor(spec, idealDevice());
@@ -402,7 +408,12 @@ TEST(Planner, SlotsOfAPassHavePlacesOfTheirOwn) {
     function.maxDraws = function.maxPrimitives = 100;
     for (const char* technique : {"adaptive", "agaa"})
         for (const uint64_t flags : {AGAA_CONFIG_COUNTERS, AGAA_CONFIG_COUNTERS | AGAA_CONFIG_BUFFERED})
-            check({.technique = technique, .generationTier = AGAA_TIER_IDS, .configFlags = flags, .maxLights = 64, .chained = &function}, 4);
+            check({.technique = technique,
+                   .generationTier = AGAA_TIER_IDS,
+                   .configFlags = flags,
+                   .maxLights = 64,
+                   .chained = &function},
+                  4);
     check({.technique = "dcaa", .samples = 64, .configFlags = AGAA_CONFIG_COUNTERS, .maxLights = 64}, 5);
     check({.technique = "agaa", .samples = 64, .configFlags = AGAA_CONFIG_COUNTERS, .maxLights = 64}, 5);
 }
@@ -441,7 +452,9 @@ TEST(Planner, FoldedAggregatesInMemoryAreNotFiltered) {
 
 void expectShadersOf(const ViewSpec& spec) {
     for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
-        EXPECT_TRUE(pass.kind != PassKind::Compute || !pass.compute.hostCode.empty() || !embeddedSpirv(pass.compute.shader).empty()) << pass.compute.shader;
+        EXPECT_TRUE(pass.kind != PassKind::Compute || !pass.compute.hostCode.empty() ||
+                    !embeddedSpirv(pass.compute.shader).empty())
+            << pass.compute.shader;
 }
 
 TEST(Planner, EveryShaderOfEveryPlanIsInTheLibrary) {

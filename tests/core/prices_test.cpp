@@ -30,7 +30,8 @@ struct Host {
     AgaaDeviceCaps caps = fourSampleDevice();
     bool fetches = false;
 
-    explicit Host(const char* technique, uint32_t samples = 8, uint32_t generationTier = AGAA_TIER_AUTO, bool hasFetch = false)
+    explicit Host(const char* technique, uint32_t samples = 8, uint32_t generationTier = AGAA_TIER_AUTO,
+                  bool hasFetch = false)
         : fetches(hasFetch) {
         config.technique = technique;
         config.samples = findTechnique(technique)->maxSamples ? samples : 64;
@@ -117,8 +118,10 @@ void expectDifference(const AgaaPrice& price, const Known& with, const Known& wi
     EXPECT_EQ(price.totalBytes, int64_t(with.memory.totalBytes) - int64_t(without.memory.totalBytes)) << what;
     EXPECT_EQ(price.peakBytes, int64_t(with.memory.peakBytes) - int64_t(without.memory.peakBytes)) << what;
     EXPECT_EQ(price.constantBytes, int64_t(with.memory.constantBytes) - int64_t(without.memory.constantBytes)) << what;
-    EXPECT_EQ(double(price.aggregateBits), 8 * (with.memory.bytesPerAggregate - without.memory.bytesPerAggregate)) << what;
-    EXPECT_EQ(price.geometryPasses, int64_t(with.target.geometryPasses) - int64_t(without.target.geometryPasses)) << what;
+    EXPECT_EQ(double(price.aggregateBits), 8 * (with.memory.bytesPerAggregate - without.memory.bytesPerAggregate))
+        << what;
+    EXPECT_EQ(price.geometryPasses, int64_t(with.target.geometryPasses) - int64_t(without.target.geometryPasses))
+        << what;
 }
 
 void setFlag(uint64_t& flags, uint64_t flag, bool on) { flags = on ? flags | flag : flags & ~flag; }
@@ -126,13 +129,21 @@ void setFlag(uint64_t& flags, uint64_t flag, bool on) { flags = on ? flags | fla
 // How a host switches each effect, by the headers alone.
 using Switch = std::function<void(Host&, bool)>;
 const std::map<std::string, Switch>& switches() {
-    const auto common = [](uint64_t flag) -> Switch { return [flag](Host& h, bool on) { setFlag(h.facts.flags, flag, !on); }; };
-    const auto fact = [](uint64_t flag) -> Switch { return [flag](Host& h, bool on) { setFlag(h.facts.flags, flag, on); }; };
-    const auto option = [](uint64_t flag) -> Switch { return [flag](Host& h, bool on) { setFlag(h.config.flags, flag, on); }; };
+    const auto common = [](uint64_t flag) -> Switch {
+        return [flag](Host& h, bool on) { setFlag(h.facts.flags, flag, !on); };
+    };
+    const auto fact = [](uint64_t flag) -> Switch {
+        return [flag](Host& h, bool on) { setFlag(h.facts.flags, flag, on); };
+    };
+    const auto option = [](uint64_t flag) -> Switch {
+        return [flag](Host& h, bool on) { setFlag(h.config.flags, flag, on); };
+    };
     const auto unless = [](uint64_t flag) -> Switch {
         return [flag](Host& h, bool on) { setFlag(h.config.measurement.flags, flag, !on); };
     };
-    const auto map = [](uint32_t i) -> Switch { return [i](Host& h, bool on) { h.facts.shadowMapCount = on ? i + 1 : i; }; };
+    const auto map = [](uint32_t i) -> Switch {
+        return [i](Host& h, bool on) { h.facts.shadowMapCount = on ? i + 1 : i; };
+    };
     static const std::map<std::string, Switch> table = {
         {"specular", fact(AGAA_FACT_SPECULAR)},
         {"varied-roughness", common(AGAA_FACT_ONE_ROUGHNESS)},
@@ -171,7 +182,8 @@ const std::map<std::string, Switch>& switches() {
 
 std::vector<Host> hosts() {
     std::vector<Host> list;
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique :
+         {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
         list.emplace_back(technique);
     for (const uint32_t tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
         list.emplace_back("agaa", 8, tier, true);
@@ -185,11 +197,18 @@ std::string nameOf(const Host& host) {
     return std::string(host.config.technique) + ", tier " + agaaTierName(host.config.generationTier);
 }
 
-const int64_t AgaaPrice::* const numbers[] = {
-    &AgaaPrice::passes,        &AgaaPrice::geometryPasses,        &AgaaPrice::pipelines,  &AgaaPrice::totalBytes,
-    &AgaaPrice::peakBytes,     &AgaaPrice::constantBytes,         &AgaaPrice::sampleBits, &AgaaPrice::aggregateBits,
-    &AgaaPrice::trafficBytes,  &AgaaPrice::maxEventsPerPixel,     &AgaaPrice::maxShadowTapsPerEvent,
-    &AgaaPrice::maxLightsPerEvent};
+const int64_t AgaaPrice::*const numbers[] = {&AgaaPrice::passes,
+                                             &AgaaPrice::geometryPasses,
+                                             &AgaaPrice::pipelines,
+                                             &AgaaPrice::totalBytes,
+                                             &AgaaPrice::peakBytes,
+                                             &AgaaPrice::constantBytes,
+                                             &AgaaPrice::sampleBits,
+                                             &AgaaPrice::aggregateBits,
+                                             &AgaaPrice::trafficBytes,
+                                             &AgaaPrice::maxEventsPerPixel,
+                                             &AgaaPrice::maxShadowTapsPerEvent,
+                                             &AgaaPrice::maxLightsPerEvent};
 
 void expectSameNumbers(const AgaaPrice& a, const AgaaPrice& b, const std::string& what) {
     for (size_t i = 0; i < std::size(numbers); ++i)
@@ -265,7 +284,7 @@ TEST(Prices, StepsAreDifferencesOfViewsAndAddUp) {
             if (price.kind != AGAA_PRICE_SAMPLES && price.kind != AGAA_PRICE_AGGREGATES)
                 continue;
             Host more = described, less = described;
-            uint32_t AgaaConfig::* member =
+            uint32_t AgaaConfig::*member =
                 price.kind == AGAA_PRICE_SAMPLES ? &AgaaConfig::samples : &AgaaConfig::aggregates;
             more.config.*member = price.toCount;
             less.config.*member = price.fromCount;
@@ -328,7 +347,8 @@ TEST(Prices, WhatIsNotPossibleSaysWhy) {
     covering.config.coverage.samplePositions = places.data();
     const AgaaPrice more = pricesOf(covering).step(AGAA_PRICE_SAMPLES, 64, 128);
     EXPECT_EQ(more.isPossible, 0u);
-    EXPECT_NE(std::string(more.reason).find("AgaaDecoupledCoverage::samplePositions"), std::string::npos) << more.reason;
+    EXPECT_NE(std::string(more.reason).find("AgaaDecoupledCoverage::samplePositions"), std::string::npos)
+        << more.reason;
     Host other("ssaa", 32); // has no coverage samples
     other.config.coverage.samplePositions = places.data();
     EXPECT_EQ(pricesOf(other).step(AGAA_PRICE_SAMPLES, 8, 16).isPossible, 1u);
@@ -360,9 +380,10 @@ TEST(Prices, WorkHasTheBoundsOfTheTechnique) {
         Host host;
         int64_t events, taps;
     };
-    Row rows[] = {{Host("single"), 1, 1},         {Host("fxaa"), 1, 1}, {Host("msaa"), 0, 1},     {Host("ssaa"), 8, 1},
-                  {Host("simple_complex"), 8, 8}, {Host("sbaa"), 2, 8}, {Host("agaa"), 2, 8},     {Host("agaa", 32), 2, 8},
-                  {Host("agaa", 4), 2, 4},        {Host("agaa", 1), 1, 1}, {Host("adaptive"), 8, 8}, {Host("dcaa"), 2, 8}};
+    Row rows[] = {{Host("single"), 1, 1},  {Host("fxaa"), 1, 1},           {Host("msaa"), 0, 1},
+                  {Host("ssaa"), 8, 1},    {Host("simple_complex"), 8, 8}, {Host("sbaa"), 2, 8},
+                  {Host("agaa"), 2, 8},    {Host("agaa", 32), 2, 8},       {Host("agaa", 4), 2, 4},
+                  {Host("agaa", 1), 1, 1}, {Host("adaptive"), 8, 8},       {Host("dcaa"), 2, 8}};
     for (Row& row : rows) {
         const AgaaPrice view = pricesOf(row.host)["view"];
         EXPECT_EQ(view.maxEventsPerPixel, row.events) << nameOf(row.host);

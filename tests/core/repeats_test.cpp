@@ -71,11 +71,13 @@ TEST(Repeats, GroupsThatEndHoldWhatCanBeSkipped) {
     };
     EXPECT_EQ(planOf(draw(false)).passes.size(), 4u);
     expectRefused([&] { return planOf(draw(true)); }, "clears");
-    expectRefused([] {
-        return planOf([](const Group& group) {
-            group.builder.fill("fill", AGAA_STAGE_OTHER, group.words, AGAA_SEGMENT_SHADING);
-        });
-    }, "fills");
+    expectRefused(
+        [] {
+            return planOf([](const Group& group) {
+                group.builder.fill("fill", AGAA_STAGE_OTHER, group.words, AGAA_SEGMENT_SHADING);
+            });
+        },
+        "fills");
     expectRefused([] { return planOf({}, false); }, "last pass");
 }
 

@@ -1,5 +1,5 @@
-// Plans of frames with fewer effects: the passes, resources and bindings of the view's plan, with other programs. And which
-// variant frames run with.
+// Plans of frames with fewer effects: the passes, resources and bindings of the view's plan, with other programs. And
+// which variant frames run with.
 #include "plan_support.h"
 
 #include "core/glsl/compile_glsl.h"
@@ -50,15 +50,16 @@ struct Functions {
         fetch.maxDraws = fetch.maxPrimitives = 100;
         some = fetch;
         some.flags = AGAA_FETCH_NOT_ALL_DRAWS;
-        gbuffer.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return true; }";
+        gbuffer.glsl =
+            "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return true; }";
     }
 };
 
 // Each technique in each of its ways, with two shadow maps.
 std::vector<ViewSpec> everyWay(const Functions& functions) {
     std::vector<ViewSpec> specs;
-    const auto add = [&](const char* technique, uint32_t tier, const void* chained, uint64_t flags = 0, uint32_t lit = 0,
-                         const char* layout = "precise") {
+    const auto add = [&](const char* technique, uint32_t tier, const void* chained, uint64_t flags = 0,
+                         uint32_t lit = 0, const char* layout = "precise") {
         for (const uint32_t lights : {4u, 40u}) {
             ViewSpec spec;
             spec.technique = technique;
@@ -107,8 +108,8 @@ std::vector<AgaaSceneFacts> everyFewer() {
     return list;
 }
 
-const std::set<uint32_t> constantsOfFacts = {AGAA_HAS_SPECULAR, AGAA_EMISSIVE_CHANNELS, AGAA_HAS_AMBIENT, AGAA_SHADOW_MAPS,
-                                             AGAA_LIT_SHADOWS};
+const std::set<uint32_t> constantsOfFacts = {AGAA_HAS_SPECULAR, AGAA_EMISSIVE_CHANNELS, AGAA_HAS_AMBIENT,
+                                             AGAA_SHADOW_MAPS, AGAA_LIT_SHADOWS};
 
 void expectTheSame(const AgaaDrawState& a, const AgaaDrawState& b) { EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0); }
 
@@ -164,7 +165,8 @@ TEST(VariantPlan, OnlyProgramsDiffer) {
 uint32_t differingPasses(const Plan& a, const Plan& b) {
     uint32_t count = 0;
     for (size_t i = 0; i < a.passes.size(); ++i)
-        count += a.passes[i].compute.shader != b.passes[i].compute.shader || a.passes[i].constants != b.passes[i].constants;
+        count +=
+            a.passes[i].compute.shader != b.passes[i].compute.shader || a.passes[i].constants != b.passes[i].constants;
     return count;
 }
 
@@ -214,7 +216,8 @@ TEST(VariantPlan, EffectsAreLeftOut) {
 // Functions for shadows that no frame of the variant has.
 TEST(VariantPlan, PassesWithFunctionsOfTheHostCompile) {
     const Functions functions;
-    for (const void* chained : {static_cast<const void*>(&functions.shadow), static_cast<const void*>(&functions.fetch)})
+    for (const void* chained :
+         {static_cast<const void*>(&functions.shadow), static_cast<const void*>(&functions.fetch)})
         for (const AgaaSceneFacts& facts : {factsOf(0, 0), factsOf(AGAA_FACT_EMISSIVE, 1)}) {
             ViewSpec spec{.chained = chained};
             spec.shadowMaps = 2;
@@ -246,9 +249,13 @@ TEST(Facts, LieWithinOthersWhereNothingIsMore) {
 class Counting {
 public:
     void add(const ViewSpec& spec, const AgaaSceneFacts& facts) {
-        variants.add(variantFor(spec, facts), [&](const Pass&, size_t) { return Compiled{++compiled, compiled % 2 == 0}; });
+        variants.add(variantFor(spec, facts), [&](const Pass&, size_t) {
+            return Compiled{++compiled, compiled % 2 == 0};
+        });
     }
-    explicit Counting(const ViewSpec& spec) : base(planFor(spec, fourSampleDevice())), variants(base) { add(spec, base.view.facts); }
+    explicit Counting(const ViewSpec& spec) : base(planFor(spec, fourSampleDevice())), variants(base) {
+        add(spec, base.view.facts);
+    }
 
     uint64_t compiled = 0;
     Plan base;
@@ -267,7 +274,8 @@ TEST(Variants, FramesRunWithTheSmallestThatHasTheirEffects) {
     counting.add(spec, factsOf(AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT, 1));
     counting.add(spec, factsOf(AGAA_FACT_SPECULAR, 1));
     counting.add(spec, factsOf(AGAA_FACT_EMISSIVE, 0));
-    EXPECT_EQ(flagsOf(counting, AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT, 1), AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT | masked);
+    EXPECT_EQ(flagsOf(counting, AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT, 1),
+              AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT | masked);
     EXPECT_EQ(flagsOf(counting, AGAA_FACT_AMBIENT, 0), AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT | masked);
     EXPECT_EQ(flagsOf(counting, AGAA_FACT_SPECULAR, 0), AGAA_FACT_SPECULAR | masked);
     EXPECT_EQ(flagsOf(counting, 0, 0), AGAA_FACT_EMISSIVE | masked);
@@ -298,7 +306,8 @@ TEST(Variants, AFailureLeavesThoseThatWere) {
     const ViewSpec spec{.technique = "ssaa"};
     Counting counting(spec);
     const Plan fewer = variantFor(spec, factsOf(0, 0));
-    EXPECT_THROW(counting.variants.add(fewer, [](const Pass&, size_t) -> Compiled { fail(AGAA_ERROR_DEVICE, "no."); }), Error);
+    EXPECT_THROW(counting.variants.add(fewer, [](const Pass&, size_t) -> Compiled { fail(AGAA_ERROR_DEVICE, "no."); }),
+                 Error);
     EXPECT_EQ(counting.variants.figures().variants, 1u);
     EXPECT_EQ(flagsOf(counting, 0, 0), AGAA_FACT_ALL_SHADED);
     counting.add(spec, factsOf(0, 0));

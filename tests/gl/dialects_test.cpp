@@ -15,8 +15,7 @@ struct Choice {
     RendererOptions options;
 };
 
-RendererOptions choice(uint32_t glslVersion, bool images = false, bool outputs = false,
-                       bool compatibility = false) {
+RendererOptions choice(uint32_t glslVersion, bool images = false, bool outputs = false, bool compatibility = false) {
     RendererOptions options;
     options.glslVersion = glslVersion;
     options.storageImages = images;
@@ -59,9 +58,7 @@ protected:
         expectNoMessages(renderer);
         return result;
     }
-    RenderResult render(const RendererOptions& options) const {
-        return render(*makeGlRenderer(options));
-    }
+    RenderResult render(const RendererOptions& options) const { return render(*makeGlRenderer(options)); }
 
     Scene scene_;
     RenderSettings settings_;
@@ -73,8 +70,8 @@ TEST_P(Dialects, GiveTheSameImage) {
         const Image expected = render(sharedGlRenderer()).image;
         for (const Choice& choice : choices) {
             const Difference d = differenceOf(expected, render(choice.options).image);
-            std::printf("%-8s n=%u %-36s %zu pixels differ, at most by %.3f/255\n", GetParam(), samples,
-                        choice.name, d.pixels, 255 * d.largest);
+            std::printf("%-8s n=%u %-36s %zu pixels differ, at most by %.3f/255\n", GetParam(), samples, choice.name,
+                        d.pixels, 255 * d.largest);
             EXPECT_EQ(d.pixels, 0u) << choice.name;
         }
     }
@@ -90,7 +87,8 @@ std::vector<float> sevenths(uint32_t samples) {
     return pairs;
 }
 
-// Of vertex shaders that expand triangles, beside geometry shaders of GLSL 450; with masks, by the host's own pattern, too.
+// Of vertex shaders that expand triangles, beside geometry shaders of GLSL 450; with masks, by the host's own pattern,
+// too.
 TEST_P(Dialects, PulledVerticesGiveTheSameImage) {
     settings_.config.technique = "dcaa";
     settings_.config.samples = 64;
@@ -119,8 +117,7 @@ TEST_P(Dialects, EitherClipConventionAgrees) {
     const std::unique_ptr<Renderer> renderer = makeGlRenderer(options);
     for (const bool reversed : {false, true}) {
         settings_.reversedZ = reversed;
-        const double mean =
-            meanDifference(render(sharedGlRenderer()).image, render(*renderer).image);
+        const double mean = meanDifference(render(sharedGlRenderer()).image, render(*renderer).image);
         std::printf("%-8s z/w in [-1;1], %s depth: mean difference %.3f/255\n", GetParam(),
                     reversed ? "reversed" : "standard", 255 * mean);
         EXPECT_LE(mean, 0.1 / 255);

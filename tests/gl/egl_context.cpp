@@ -19,8 +19,8 @@ EGLDisplay display() {
 }
 
 // Messages on performance tell of shader variants that states call for, which is no mistake.
-void GLAD_API_PTR collect(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length,
-                          const GLchar* text, const void* user) {
+void GLAD_API_PTR collect(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
+                          const void* user) {
     if (type == GL_DEBUG_TYPE_PERFORMANCE ||
         (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM))
         return;
@@ -30,8 +30,7 @@ void GLAD_API_PTR collect(GLenum, GLenum type, GLuint, GLenum severity, GLsizei 
 
 } // namespace
 
-EglContext::EglContext(const EglContextDesc& desc)
-    : display_(display()), compatibility_(desc.compatibility) {
+EglContext::EglContext(const EglContextDesc& desc) : display_(display()), compatibility_(desc.compatibility) {
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE)
         throw std::runtime_error("EGL without OpenGL");
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -67,9 +66,7 @@ void EglContext::makeCurrent() const {
         throw std::runtime_error("cannot make the OpenGL context current");
 }
 
-void (*EglContext::getProcAddr(void*, const char* name))() {
-    return eglGetProcAddress(name);
-}
+void (*EglContext::getProcAddr(void*, const char* name))() { return eglGetProcAddress(name); }
 
 std::string EglContext::takeMessages() {
     std::string lines;

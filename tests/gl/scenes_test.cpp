@@ -45,11 +45,23 @@ struct Row {
 std::vector<Row> rowsOf(const TestScene& scene) {
     if (scene.hasCamera)
         return {{"ssaa", 8, 1}, {"agaa", 8, 2}, {"agaa", 32, 4}, {"agaa", 8, 4, 0.001, AGAA_TIER_IDS, "accurate"}};
-    return {{"single", 1, 1}, {"ssaa", 8, 1},  {"agaa", 2, 2}, {"agaa", 4, 1},
-            {"agaa", 8, 2},   {"agaa", 16, 3}, {"agaa", 32, 4}, {"msaa", 8, 1},
-            {"agaa", 8, 2, 0.001, AGAA_TIER_IDS}, {"agaa", 8, 2, 0.001, AGAA_TIER_GBUFFER},
-            {"agaa", 8, 4, 0.001, AGAA_TIER_IDS, "accurate"}, {"agaa", 8, 4, 0.001, AGAA_TIER_GBUFFER, "accurate"},
-            {"sbaa", 8, 2},   {"sbaa", 32, 6}, {"simple_complex", 16, 1}, {"adaptive", 9, 1}, {"dcaa", 64, 4},
+    return {{"single", 1, 1},
+            {"ssaa", 8, 1},
+            {"agaa", 2, 2},
+            {"agaa", 4, 1},
+            {"agaa", 8, 2},
+            {"agaa", 16, 3},
+            {"agaa", 32, 4},
+            {"msaa", 8, 1},
+            {"agaa", 8, 2, 0.001, AGAA_TIER_IDS},
+            {"agaa", 8, 2, 0.001, AGAA_TIER_GBUFFER},
+            {"agaa", 8, 4, 0.001, AGAA_TIER_IDS, "accurate"},
+            {"agaa", 8, 4, 0.001, AGAA_TIER_GBUFFER, "accurate"},
+            {"sbaa", 8, 2},
+            {"sbaa", 32, 6},
+            {"simple_complex", 16, 1},
+            {"adaptive", 9, 1},
+            {"dcaa", 64, 4},
             {"agaa", 64, 4, 0.001, AGAA_TIER_FRAGMENTS, "accurate"},
             {"fxaa", 1, 1, 0.005}}; // it decides at thresholds, where last bits tell
 }
@@ -58,8 +70,8 @@ std::vector<Row> rowsOf(const TestScene& scene) {
 TEST_P(GlScenes, EverySampleCountsOnceAndVulkanAgrees) {
     sharedVulkanRenderer().load(scene_);
     for (const Row& row : rowsOf(GetParam())) {
-        SCOPED_TRACE(testing::Message() << row.technique << " n=" << row.samples
-                                        << " c=" << row.aggregates << ' ' << row.preset);
+        SCOPED_TRACE(testing::Message() << row.technique << " n=" << row.samples << " c=" << row.aggregates << ' '
+                                        << row.preset);
         RenderSettings s = settings();
         s.config.technique = row.technique;
         s.config.samples = row.samples;
@@ -77,8 +89,8 @@ TEST_P(GlScenes, EverySampleCountsOnceAndVulkanAgrees) {
         const double mean = meanDifference(gl.image, vk.image);
         const double share = shareAbove(gl.image, vk.image, 4.0 / 255);
         std::printf("%-24s %-6s n=%-2u c=%u %s %s: OpenGL against Vulkan, mean %.4f/255, above 4/255 %.4f %%\n",
-                    GetParam().name.c_str(), row.technique, row.samples, row.aggregates, agaaTierName(row.tier), row.preset,
-                    255 * mean, 100 * share);
+                    GetParam().name.c_str(), row.technique, row.samples, row.aggregates, agaaTierName(row.tier),
+                    row.preset, 255 * mean, 100 * share);
         EXPECT_LE(mean, 0.5 / 255);
         EXPECT_LE(share, row.share);
     }

@@ -93,8 +93,7 @@ Color toYcxcz(const Color& rgb) {
 
 Color fromYcxcz(const Color& c) {
     const double y = (c.x + 16) / 116;
-    return primaries.toRgb(
-        {(y + c.y / 500) * Primaries::white[0], y, (y - c.z / 200) * Primaries::white[2]});
+    return primaries.toRgb({(y + c.y / 500) * Primaries::white[0], y, (y - c.z / 200) * Primaries::white[2]});
 }
 
 Color toHuntLab(const Color& rgb) {
@@ -145,16 +144,15 @@ struct Kernel2d {
         size_t i = 0;
         for (int y = -radius; y <= radius; ++y)
             for (int x = -radius; x <= radius; ++x)
-                sum += weights[i++] * sample(std::min(width - 1, std::max(0, px + x)),
-                                             std::min(height - 1, std::max(0, py + y)));
+                sum += weights[i++] *
+                       sample(std::min(width - 1, std::max(0, px + x)), std::min(height - 1, std::max(0, py + y)));
         return sum;
     }
 };
 
 } // namespace
 
-std::vector<double> directFlip(const harness::Image& reference, const harness::Image& test,
-                               double ppd) {
+std::vector<double> directFlip(const harness::Image& reference, const harness::Image& test, double ppd) {
     const int width = int(reference.width), height = int(reference.height);
     const int csfRadius = int(std::ceil(3 * std::sqrt(0.04 / (2 * pi * pi)) * ppd));
     const auto csf = [&](double a1, double b1, double a2, double b2) {
@@ -175,10 +173,8 @@ std::vector<double> directFlip(const harness::Image& reference, const harness::I
     const auto gauss = [&](int x, int y) { return std::exp(-(x * x + y * y) / (2 * sd * sd)); };
     Kernel2d edgeX(featureRadius, [&](int x, int y) { return -x * gauss(x, y); });
     Kernel2d edgeY(featureRadius, [&](int x, int y) { return -y * gauss(x, y); });
-    Kernel2d pointX(featureRadius,
-                    [&](int x, int y) { return (x * x / (sd * sd) - 1) * gauss(x, y); });
-    Kernel2d pointY(featureRadius,
-                    [&](int x, int y) { return (y * y / (sd * sd) - 1) * gauss(x, y); });
+    Kernel2d pointX(featureRadius, [&](int x, int y) { return (x * x / (sd * sd) - 1) * gauss(x, y); });
+    Kernel2d pointY(featureRadius, [&](int x, int y) { return (y * y / (sd * sd) - 1) * gauss(x, y); });
     for (Kernel2d* kernel : {&edgeX, &edgeY, &pointX, &pointY})
         kernel->normalizeSigns();
 
@@ -189,8 +185,7 @@ std::vector<double> directFlip(const harness::Image& reference, const harness::I
     const auto look = [&](const harness::Image& image) {
         std::vector<Color> opponent;
         for (size_t i = 0; i < image.rgb.size(); i += 3)
-            opponent.push_back(toYcxcz(
-                {decode(image.rgb[i]), decode(image.rgb[i + 1]), decode(image.rgb[i + 2])}));
+            opponent.push_back(toYcxcz({decode(image.rgb[i]), decode(image.rgb[i + 1]), decode(image.rgb[i + 2])}));
         const auto at = [&](int x, int y) { return opponent[size_t(y * width + x)]; };
         const auto sampleY = [&](int x, int y) { return at(x, y).x; };
         const auto sampleCx = [&](int x, int y) { return at(x, y).y; };
@@ -199,9 +194,9 @@ std::vector<double> directFlip(const harness::Image& reference, const harness::I
         std::vector<Seen> out;
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
-                Color rgb = fromYcxcz({kernelY.at(x, y, width, height, sampleY),
-                                       kernelCx.at(x, y, width, height, sampleCx),
-                                       kernelCz.at(x, y, width, height, sampleCz)});
+                Color rgb =
+                    fromYcxcz({kernelY.at(x, y, width, height, sampleY), kernelCx.at(x, y, width, height, sampleCx),
+                               kernelCz.at(x, y, width, height, sampleCz)});
                 for (double* v : {&rgb.x, &rgb.y, &rgb.z})
                     *v = std::min(1.0, std::max(0.0, *v));
                 const auto norm = [&](const Kernel2d& h, const Kernel2d& v) {
@@ -220,11 +215,9 @@ std::vector<double> directFlip(const harness::Image& reference, const harness::I
     std::vector<double> out;
     for (size_t i = 0; i < a.size(); ++i) {
         const double e = std::pow(hyab(a[i].lab, b[i].lab), 0.7);
-        const double colorError = e < 0.4 * cmax
-                                      ? 0.95 / (0.4 * cmax) * e
-                                      : 0.95 + (e - 0.4 * cmax) / (cmax - 0.4 * cmax) * 0.05;
-        const double feature =
-            std::max(std::abs(a[i].edge - b[i].edge), std::abs(a[i].point - b[i].point));
+        const double colorError =
+            e < 0.4 * cmax ? 0.95 / (0.4 * cmax) * e : 0.95 + (e - 0.4 * cmax) / (cmax - 0.4 * cmax) * 0.05;
+        const double feature = std::max(std::abs(a[i].edge - b[i].edge), std::abs(a[i].point - b[i].point));
         out.push_back(std::pow(colorError, 1 - std::sqrt(feature / std::sqrt(2.0))));
     }
     return out;

@@ -6,5 +6,4 @@
 
 #include <vector>
 
-std::vector<double> directFlip(const harness::Image& reference, const harness::Image& test,
-                               double pixelsPerDegree);
+std::vector<double> directFlip(const harness::Image& reference, const harness::Image& test, double pixelsPerDegree);

@@ -65,8 +65,7 @@ struct Decoded {
 
 Decoded decodePng(const fs::path& path) {
     Decoded out;
-    unsigned char* data =
-        stbi_load(path.string().c_str(), &out.width, &out.height, &out.channels, 0);
+    unsigned char* data = stbi_load(path.string().c_str(), &out.width, &out.height, &out.channels, 0);
     if (data)
         out.bytes.assign(data, data + out.width * out.height * out.channels);
     stbi_image_free(data);
@@ -80,8 +79,7 @@ void expectSameBits(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 // Writes channels of one type by the library itself, value = 100 * x + 10 * y + channel.
-void writeForeign(const fs::path& path, const std::string& channels, Imf::PixelType type,
-                  const Imath::Box2i& window) {
+void writeForeign(const fs::path& path, const std::string& channels, Imf::PixelType type, const Imath::Box2i& window) {
     Imf::Header header(Imath::Box2i({0, 0}, {31, 31}), window);
     const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
     std::vector<std::vector<float>> floats(channels.size());
@@ -174,8 +172,8 @@ TEST_F(ImageFiles, ExrInTiles) {
         for (size_t c = 0; c < 3; ++c) {
             const std::string name(1, "RGB"[c]);
             header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-            frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data() + c, header.dataWindow(),
-                                                12, 12 * size_t(width)));
+            frame.insert(name,
+                         Imf::Slice::Make(Imf::FLOAT, values.data() + c, header.dataWindow(), 12, 12 * size_t(width)));
         }
         header.setTileDescription(Imf::TileDescription(8, 8));
         Imf::TiledOutputFile file(path.string().c_str(), header, 0);
@@ -224,14 +222,12 @@ TEST_F(ImageFiles, WriteErrorsNameTheFile) {
 TEST_F(ImageFiles, PngIsToneMapped) {
     const fs::path path = folder / "a.png";
     // 1 -> 0.5^(1/2.2) = 0.7297, 3 -> 0.8774, 1e30 -> 1
-    writePng(path,
-             {3, 2, {0, 1, 3, 1e30f, -1, 0, 1, 1, 1, notANumber, 0, 0, 0, infinity, 0, 0, 0, 0}});
+    writePng(path, {3, 2, {0, 1, 3, 1e30f, -1, 0, 1, 1, 1, notANumber, 0, 0, 0, infinity, 0, 0, 0, 0}});
     const Decoded png = decodePng(path);
     EXPECT_EQ(png.width, 3);
     EXPECT_EQ(png.height, 2);
     EXPECT_EQ(png.channels, 3);
-    EXPECT_EQ(png.bytes, (std::vector<int>{0, 186, 224, 255, 0, 0, 186, 186, 186, 255, 0, 255, 255,
-                                           0, 255, 0, 0, 0}));
+    EXPECT_EQ(png.bytes, (std::vector<int>{0, 186, 224, 255, 0, 0, 186, 186, 186, 255, 0, 255, 255, 0, 255, 0, 0, 0}));
 }
 
 TEST_F(ImageFiles, PngOfOnePixel) {

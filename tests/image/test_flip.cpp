@@ -75,16 +75,14 @@ TEST(Flip, IdenticalImagesHaveNoError) {
 // e = 100^0.7 = 25.119, cmax = 41.28 and the error is 0.95 + 0.05 (e/cmax - 0.4)/0.6 = 0.9674.
 // The feature term vanishes: neither image has features.
 TEST(Flip, BlackAgainstWhite) {
-    const auto errors =
-        flipErrorMap(constant(9, 5, 0, 0, 0), constant(9, 5, 1, 1, 1), pixelsPerDegree);
+    const auto errors = flipErrorMap(constant(9, 5, 0, 0, 0), constant(9, 5, 1, 1, 1), pixelsPerDegree);
     for (float error : errors)
         EXPECT_NEAR(error, 0.9674, 1e-3);
 }
 
 // The pair of colours the paper's scale is normalised to.
 TEST(Flip, GreenAgainstBlueIsOne) {
-    const auto errors =
-        flipErrorMap(constant(4, 4, 0, 1, 0), constant(4, 4, 0, 0, 1), pixelsPerDegree);
+    const auto errors = flipErrorMap(constant(4, 4, 0, 1, 0), constant(4, 4, 0, 0, 1), pixelsPerDegree);
     for (float error : errors)
         EXPECT_NEAR(error, 1.0, 1e-6);
 }
@@ -94,10 +92,9 @@ TEST(Flip, GreysFollowTheLightnessDifference) {
     const auto lightness = [](double encoded) {
         return 116 * std::cbrt(std::pow((encoded + 0.055) / 1.055, 2.4)) - 16;
     };
-    const double expected =
-        0.95 * std::pow(lightness(0.6) - lightness(0.5), 0.7) / (0.4 * std::pow(203.4, 0.7));
-    const auto errors = flipErrorMap(constant(3, 3, 0.5f, 0.5f, 0.5f),
-                                     constant(3, 3, 0.6f, 0.6f, 0.6f), pixelsPerDegree);
+    const double expected = 0.95 * std::pow(lightness(0.6) - lightness(0.5), 0.7) / (0.4 * std::pow(203.4, 0.7));
+    const auto errors =
+        flipErrorMap(constant(3, 3, 0.5f, 0.5f, 0.5f), constant(3, 3, 0.6f, 0.6f, 0.6f), pixelsPerDegree);
     for (float error : errors)
         EXPECT_NEAR(error, expected, 1e-3);
 }
@@ -123,8 +120,7 @@ TEST(Flip, LikeTheDirectFormOnShiftedBars) {
 // Smaller than every kernel, down to one row, one column and one pixel.
 TEST(Flip, LikeTheDirectFormOnTinyImages) {
     for (const auto& [width, height] : {std::pair{1u, 1u}, {1u, 7u}, {7u, 1u}, {3u, 2u}})
-        expectLikeDirect(noise(width, height, 4, 0.f, 1.f), noise(width, height, 5, 0.f, 1.f),
-                         pixelsPerDegree);
+        expectLikeDirect(noise(width, height, 4, 0.f, 1.f), noise(width, height, 5, 0.f, 1.f), pixelsPerDegree);
 }
 
 TEST(Flip, IsSymmetric) {

@@ -87,8 +87,7 @@ TEST(Metrics, OneChannelOfOnePixel) {
 // Chosen so that the tone-mapped difference is 0.1: 20 dB below a peak of 1.
 TEST(Metrics, PsnrOfATenth) {
     const double p = std::pow(0.6, 2.2), q = std::pow(0.5, 2.2);
-    const Metrics m =
-        compareImages(constant(4, 4, float(p / (1 - p))), constant(4, 4, float(q / (1 - q))));
+    const Metrics m = compareImages(constant(4, 4, float(p / (1 - p))), constant(4, 4, float(q / (1 - q))));
     EXPECT_NEAR(m.mseTm, 0.01, 1e-8);
     EXPECT_NEAR(m.psnr, 20, 1e-5);
 }
@@ -147,8 +146,7 @@ TEST(Metrics, ValuesMustBeFinite) {
         const std::string inTest = errorOf([&] { compareImages(constant(4, 3, 0.5f), image); });
         EXPECT_EQ(inTest, "The test image has a value that is not finite in channel B of pixel "
                           "(2, 1).");
-        const std::string inReference =
-            errorOf([&] { compareImages(image, constant(4, 3, 0.5f)); });
+        const std::string inReference = errorOf([&] { compareImages(image, constant(4, 3, 0.5f)); });
         EXPECT_NE(inReference.find("The reference image"), std::string::npos) << inReference;
     }
 }

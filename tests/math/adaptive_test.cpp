@@ -14,8 +14,6 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
 
-
-
 } // namespace
 
 TEST(MathAdaptive, NormalStepsAreSharesOfTheAngle) {
@@ -42,13 +40,15 @@ TEST(MathAdaptive, SamplesOfOnePlaneDoNotDiffer) {
         const double distance = random.decades(0.1, 1e5), width = distance * 1e-3;
         const glm::dvec3 normal = random.direction();
         glm::dvec3 along = glm::cross(normal, random.direction());
-        const glm::vec3 offset(glm::normalize(along) * width * random.decades(0.1, 100)); // slopes of up to 100 pixel widths
+        const glm::vec3 offset(glm::normalize(along) * width *
+                               random.decades(0.1, 100)); // slopes of up to 100 pixel widths
         const float step = math_f::agaa_planeStep(offset, glm::vec3(normal), glm::vec3(normal), float(width));
         EXPECT_LT(step, 1e-4) << distance;
     }
     EXPECT_EQ(math_f::agaa_planeStep(glm::vec3(0), glm::vec3(0, 0, 1), glm::vec3(0, 0, 1), 0), 0);
     // A curved surface: the nearer of both planes counts.
-    EXPECT_NEAR(math_f::agaa_planeStep(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0.6f, 0, 0.8f), 0.5f), 0, 1e-6);
+    EXPECT_NEAR(math_f::agaa_planeStep(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0.6f, 0, 0.8f), 0.5f), 0,
+                1e-6);
 }
 
 TEST(MathAdaptive, WholeCountsStayInRange) {

@@ -18,8 +18,8 @@ math_d::agaa_Barycentrics exact(const Triangle& t, glm::dvec2 ndc) {
 }
 
 math_f::agaa_Barycentrics single(const Triangle& t, glm::dvec2 ndc) {
-    return math_f::agaa_barycentrics(glm::vec3(t.clip[0]), glm::vec3(t.clip[1]), glm::vec3(t.clip[2]),
-                                     glm::vec2(ndc), glm::vec2(pixels));
+    return math_f::agaa_barycentrics(glm::vec3(t.clip[0]), glm::vec3(t.clip[1]), glm::vec3(t.clip[2]), glm::vec2(ndc),
+                                     glm::vec2(pixels));
 }
 
 // Values that floats hold, so that both precisions are given the same triangle.
@@ -122,8 +122,8 @@ TEST(MathBarycentrics, FloatIsAsGoodAsItsInput) {
         worst = std::max(worst, error / most);
         if (most < 0.1) {
             ASSERT_EQ(f.facing > 0, d.facing > 0);
-            ASSERT_LE(glm::length(glm::dvec3(f.dx) - d.dx), 4 * most * (1 + glm::length(d.dx)) *
-                                                                (1 + glm::length(d.dx) + glm::length(d.dy)));
+            ASSERT_LE(glm::length(glm::dvec3(f.dx) - d.dx),
+                      4 * most * (1 + glm::length(d.dx)) * (1 + glm::length(d.dx) + glm::length(d.dy)));
         }
     }
     std::printf("largest error %.3f of the bound\n", worst);

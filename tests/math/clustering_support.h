@@ -37,8 +37,8 @@ inline Sample makeSample(const glm::dvec3& p, const glm::dvec3& n, unsigned subP
 }
 
 // A pixel with some surfaces: planes at their own depths and orientations, of noisy normals.
-inline std::vector<Sample> randomPixel(Random& random, unsigned n, unsigned surfaces, double depth,
-                                       double noise, double coverage = 1.0) {
+inline std::vector<Sample> randomPixel(Random& random, unsigned n, unsigned surfaces, double depth, double noise,
+                                       double coverage = 1.0) {
     std::vector<glm::dvec3> normals;
     std::vector<double> depths;
     for (unsigned i = 0; i < surfaces; ++i) {
@@ -58,16 +58,15 @@ inline std::vector<Sample> randomPixel(Random& random, unsigned n, unsigned surf
     return pixel;
 }
 
-template <class Clustering>
-struct RunResult {
+template <class Clustering> struct RunResult {
     unsigned count = 0;
     std::vector<unsigned> ids;
     std::unique_ptr<Clustering> state;
 };
 
 template <class Clustering>
-RunResult<Clustering> runClustering(const std::vector<Sample>& pixel, unsigned c, double k,
-                                    double t, bool literal = false) {
+RunResult<Clustering> runClustering(const std::vector<Sample>& pixel, unsigned c, double k, double t,
+                                    bool literal = false) {
     using vec3 = std::decay_t<decltype(Clustering::agaa_samplePosition[0])>;
     using real = std::decay_t<decltype(vec3::x)>;
     RunResult<Clustering> r;
@@ -79,32 +78,29 @@ RunResult<Clustering> runClustering(const std::vector<Sample>& pixel, unsigned c
         r.state->agaa_sampleAggregate[i] = 77;
         covered |= (pixel[i].covered ? 1u : 0u) << i;
     }
-    r.count =
-        r.state->agaa_defineAggregates(unsigned(pixel.size()), covered, c, static_cast<real>(k),
-                                       static_cast<real>(t), literal ? 1u : 0u);
+    r.count = r.state->agaa_defineAggregates(unsigned(pixel.size()), covered, c, static_cast<real>(k),
+                                             static_cast<real>(t), literal ? 1u : 0u);
     r.ids.assign(r.state->agaa_sampleAggregate, r.state->agaa_sampleAggregate + pixel.size());
     return r;
 }
 
-inline auto runF(const std::vector<Sample>& pixel, unsigned c, double k, double t,
-                 bool literal = false) {
+inline auto runF(const std::vector<Sample>& pixel, unsigned c, double k, double t, bool literal = false) {
     return runClustering<math_f::Clustering>(pixel, c, k, t, literal);
 }
-inline auto runD(const std::vector<Sample>& pixel, unsigned c, double k, double t,
-                 bool literal = false) {
+inline auto runD(const std::vector<Sample>& pixel, unsigned c, double k, double t, bool literal = false) {
     return runClustering<math_d::Clustering>(pixel, c, k, t, literal);
 }
 
 // Equation 1 as printed, with the two limits of the SDK's version.
-inline double equation1(const glm::dvec3& pa, const glm::dvec3& na, const glm::dvec3& pb,
-                        const glm::dvec3& nb, double k) {
+inline double equation1(const glm::dvec3& pa, const glm::dvec3& na, const glm::dvec3& pb, const glm::dvec3& nb,
+                        double k) {
     const double q = std::min(glm::length(pa - pb) / k, 1000.0);
     return q * q + (1.0 - std::clamp(glm::dot(na, nb), -1.0, 1.0)) / 2.0;
 }
 
 inline double equation1(const Sample& a, const Sample& b, double k) {
-    return equation1(glm::dvec3(a.position), glm::normalize(glm::dvec3(a.normal)),
-                     glm::dvec3(b.position), glm::normalize(glm::dvec3(b.normal)), k);
+    return equation1(glm::dvec3(a.position), glm::normalize(glm::dvec3(a.normal)), glm::dvec3(b.position),
+                     glm::normalize(glm::dvec3(b.normal)), k);
 }
 
 // k of two samples, which may be a step of their depth off.
@@ -144,8 +140,8 @@ inline double distanceToAverage(const std::vector<Sample>& pixel, unsigned i, do
 
 // Algorithm 1 with maximin seeds, written for clarity: whole passes over all pairs, no short way,
 // no incremental distances, plain averages.
-inline std::vector<unsigned> oracle(const std::vector<Sample>& pixel, unsigned c, double k,
-                                    double t, unsigned& count, std::vector<unsigned>& seeds) {
+inline std::vector<unsigned> oracle(const std::vector<Sample>& pixel, unsigned c, double k, double t, unsigned& count,
+                                    std::vector<unsigned>& seeds) {
     std::vector<unsigned> members;
     for (unsigned i = 0; i < pixel.size(); ++i) {
         if (pixel[i].covered)
@@ -167,8 +163,7 @@ inline std::vector<unsigned> oracle(const std::vector<Sample>& pixel, unsigned c
                    std::make_tuple(-value(b), pixel[b].content(), b);
         });
     };
-    seeds = {
-        farthest([&](unsigned i) { return quantisedDistance(distanceToAverage(pixel, i, coarsest)); })};
+    seeds = {farthest([&](unsigned i) { return quantisedDistance(distanceToAverage(pixel, i, coarsest)); })};
     auto nearest = [&](unsigned i) {
         double d = 1e300;
         for (unsigned s : seeds)
@@ -194,8 +189,8 @@ inline std::vector<unsigned> oracle(const std::vector<Sample>& pixel, unsigned c
 }
 
 // Contents and ids, independent of the order of the samples.
-inline std::multiset<std::tuple<unsigned, unsigned, unsigned>>
-partition(const std::vector<Sample>& pixel, const std::vector<unsigned>& ids) {
+inline std::multiset<std::tuple<unsigned, unsigned, unsigned>> partition(const std::vector<Sample>& pixel,
+                                                                         const std::vector<unsigned>& ids) {
     std::multiset<std::tuple<unsigned, unsigned, unsigned>> set;
     for (unsigned i = 0; i < pixel.size(); ++i) {
         if (pixel[i].covered)
@@ -204,21 +199,18 @@ partition(const std::vector<Sample>& pixel, const std::vector<unsigned>& ids) {
     return set;
 }
 
-template <class T>
-void shuffle(std::vector<T>& v, Random& random) {
+template <class T> void shuffle(std::vector<T>& v, Random& random) {
     for (std::size_t i = v.size(); i > 1; --i) {
         std::swap(v[i - 1], v[random.below(static_cast<unsigned>(i))]);
     }
 }
 
 // Largest squared distance (Equation 1) of a sample to the founder of its aggregate.
-template <class Result>
-double radius(const std::vector<Sample>& pixel, const Result& r, double k) {
+template <class Result> double radius(const std::vector<Sample>& pixel, const Result& r, double k) {
     double worst = 0.0;
     for (unsigned i = 0; i < pixel.size(); ++i) {
         if (pixel[i].covered) {
-            worst =
-                std::max(worst, equation1(pixel[i], pixel[r.state->agaa_seedSample[r.ids[i]]], k));
+            worst = std::max(worst, equation1(pixel[i], pixel[r.state->agaa_seedSample[r.ids[i]]], k));
         }
     }
     return worst;

@@ -16,9 +16,8 @@ TEST(MathClustering, InvariantsForAllCounts) {
         for (unsigned c = 1; c <= 4; ++c) {
             std::array<unsigned, 9> histogram{};
             for (int i = 0; i < 1500; ++i) {
-                const auto pixel =
-                    randomPixel(random, n, 1 + random.below(5), random.decades(0.01, 10),
-                                i % 4 ? random.range(0, 0.5) : 0.0, i % 3 ? 1.0 : 0.6);
+                const auto pixel = randomPixel(random, n, 1 + random.below(5), random.decades(0.01, 10),
+                                               i % 4 ? random.range(0, 0.5) : 0.0, i % 3 ? 1.0 : 0.6);
                 unsigned covered = 0;
                 for (const Sample& s : pixel)
                     covered += s.covered;
@@ -46,8 +45,7 @@ TEST(MathClustering, InvariantsForAllCounts) {
                     ASSERT_TRUE(pixel[seed].covered);
                     ASSERT_EQ(r.ids[seed], a);
                     for (unsigned b = 0; b < a; ++b) {
-                        ASSERT_GT(equation1(pixel[seed], pixel[r.state->agaa_seedSample[b]], kK),
-                                  kT - 1.0 / 4096);
+                        ASSERT_GT(equation1(pixel[seed], pixel[r.state->agaa_seedSample[b]], kK), kT - 1.0 / 4096);
                     }
                 }
                 if (r.count > 1) {
@@ -55,13 +53,10 @@ TEST(MathClustering, InvariantsForAllCounts) {
                     for (unsigned s = 0; s < n; ++s) {
                         if (!pixel[s].covered)
                             continue;
-                        const double own =
-                            equation1(pixel[s], pixel[r.state->agaa_seedSample[r.ids[s]]], kK);
+                        const double own = equation1(pixel[s], pixel[r.state->agaa_seedSample[r.ids[s]]], kK);
                         for (unsigned a = 0; a < r.count; ++a) {
-                            ASSERT_LE(own,
-                                      equation1(pixel[s], pixel[r.state->agaa_seedSample[a]], kK) *
-                                              (1 + 1.3e-4) +
-                                          1.0 / 4096);
+                            ASSERT_LE(own, equation1(pixel[s], pixel[r.state->agaa_seedSample[a]], kK) * (1 + 1.3e-4) +
+                                               1.0 / 4096);
                         }
                     }
                 }
@@ -87,9 +82,8 @@ TEST(MathClustering, EqualsTheOracleInDouble) {
     for (unsigned n : kSampleCounts) {
         for (unsigned c : {1u, 2u, 3u, 4u, 8u}) {
             for (int i = 0; i < 600; ++i) {
-                auto pixel =
-                    randomPixel(random, n, 1 + random.below(5), random.decades(0.01, 50),
-                                random.range(0, 0.4), i % 3 ? 1.0 : 0.5);
+                auto pixel = randomPixel(random, n, 1 + random.below(5), random.decades(0.01, 50), random.range(0, 0.4),
+                                         i % 3 ? 1.0 : 0.5);
                 for (Sample& s : pixel)
                     s.depthStep = i % 2 ? float(random.decades(1e-4, 1)) : 0.0f;
                 const double k = random.decades(0.02, 1), t = random.decades(4e-4, 0.25);
@@ -128,8 +122,8 @@ TEST(MathClustering, FloatAgainstDouble) {
     double worst = 0.0;
     const int total = 30000;
     for (int i = 0; i < total; ++i) {
-        const auto pixel = randomPixel(random, 8u << random.below(3), 1 + random.below(5),
-                                       random.decades(0.01, 10), random.range(0, 0.4));
+        const auto pixel = randomPixel(random, 8u << random.below(3), 1 + random.below(5), random.decades(0.01, 10),
+                                       random.range(0, 0.4));
         const unsigned c = 2 + random.below(3);
         const auto f = runF(pixel, c, kK, kT);
         const auto d = runD(pixel, c, kK, kT);
@@ -171,15 +165,14 @@ TEST(MathClustering, OneSurfaceIsOneAggregateAndTheShortWayIsExact) {
             for (unsigned b = 0; b < n; ++b) {
                 if (!pixel[b].covered)
                     continue;
-                largest = std::max(largest,
-                                   r.state->agaa_quantiseDistance(r.state->agaa_pairDistance(a, b, lengths)));
+                largest = std::max(largest, r.state->agaa_quantiseDistance(r.state->agaa_pairDistance(a, b, lengths)));
             }
         }
         if (r.count == 0)
             continue;
         const unsigned threshold = r.state->agaa_quantiseDistance(static_cast<float>(t));
-        const unsigned bound = r.state->agaa_quantiseDistance(
-            r.state->agaa_sampleDistance(lo, hi, loN, hiN, inverse) * 1.00001f);
+        const unsigned bound =
+            r.state->agaa_quantiseDistance(r.state->agaa_sampleDistance(lo, hi, loN, hiN, inverse) * 1.00001f);
         ASSERT_GE(bound, largest);
         if (bound <= threshold) {
             ++shortWay;
@@ -250,16 +243,14 @@ TEST(MathClustering, MaximinBeatsTheLiteralRule) {
             for (const auto* r : {&m, &l}) {
                 double sum = 0;
                 for (unsigned s = 0; s < 16; ++s) {
-                    sum += std::sqrt(
-                        equation1(pixel[s], pixel[r->state->agaa_seedSample[r->ids[s]]], kK));
+                    sum += std::sqrt(equation1(pixel[s], pixel[r->state->agaa_seedSample[r->ids[s]]], kK));
                 }
                 (r == &m ? maximinSum : literalSum) += sum / 16;
             }
         }
-        std::printf(
-            "[ measured ] c=%u: aggregates %.2f (maximin) %.2f (literal), mean distance to the "
-            "founder %.3f and %.3f\n",
-            c, maximinCount / total, literalCount / total, maximinSum / total, literalSum / total);
+        std::printf("[ measured ] c=%u: aggregates %.2f (maximin) %.2f (literal), mean distance to the "
+                    "founder %.3f and %.3f\n",
+                    c, maximinCount / total, literalCount / total, maximinSum / total, literalSum / total);
         EXPECT_GT(maximinCount, 1.2 * literalCount);
         EXPECT_LT(maximinSum, 0.7 * literalSum);
     }

@@ -14,9 +14,7 @@ namespace test_math {
 // A vertex (x w, y w, w) in pixels.
 using Vertices = std::array<glm::vec3, 3>;
 
-inline glm::vec3 vertex(double x, double y, double w = 1) {
-    return glm::vec3(glm::dvec3(x * w, y * w, w));
-}
+inline glm::vec3 vertex(double x, double y, double w = 1) { return glm::vec3(glm::dvec3(x * w, y * w, w)); }
 
 inline double det(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return glm::dot(a, glm::cross(b, c));
@@ -47,9 +45,7 @@ inline glm::uvec4 mask(const Vertices& t, const glm::vec2& centre, unsigned samp
     return math_f::agaa_triangleCoverage(t[0], t[1], t[2], centre, samples);
 }
 
-inline unsigned differingBits(const glm::uvec4& a, const glm::uvec4& b) {
-    return math_f::agaa_coverageCount(a ^ b);
-}
+inline unsigned differingBits(const glm::uvec4& a, const glm::uvec4& b) { return math_f::agaa_coverageCount(a ^ b); }
 
 using Polygon = std::vector<glm::dvec2>;
 

@@ -19,9 +19,7 @@ struct Shape {
 enum Kind { anyEdge, levelEdge, uprightEdge, strip, levelStrip, triangle, kinds };
 constexpr std::array<const char*, kinds> names = {"edges", "level", "upright", "strips", "axis strips", "triangles"};
 
-glm::dvec3 lineAt(double angle, double distance) {
-    return {std::cos(angle), std::sin(angle), -distance};
-}
+glm::dvec3 lineAt(double angle, double distance) { return {std::cos(angle), std::sin(angle), -distance}; }
 
 Shape draw(Random& random, Kind kind) {
     constexpr double turn = 6.283185307179586, fiveDegrees = turn / 72;

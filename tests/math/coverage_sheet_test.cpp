@@ -13,8 +13,7 @@ struct Sheet {
     std::vector<glm::vec3> vertices;
     std::vector<Vertices> triangles;
 
-    template <class Place>
-    Sheet(Random& random, unsigned c, unsigned r, const Place& place) : columns(c), rows(r) {
+    template <class Place> Sheet(Random& random, unsigned c, unsigned r, const Place& place) : columns(c), rows(r) {
         for (unsigned y = 0; y <= rows; ++y)
             for (unsigned x = 0; x <= columns; ++x)
                 vertices.push_back(place(x, y));
@@ -153,8 +152,7 @@ TEST(CoverageSheet, VerticesBehindTheEye) {
                 glm::floor(middle + glm::dvec2(random.range(-60, 60), random.range(-60, 60))) + 0.5;
             const std::vector<unsigned> count = sheet.layers(glm::vec2(centre), 64);
             for (unsigned s = 0; s < 64; ++s) {
-                const glm::dvec3 at =
-                    toSheet * glm::dvec3(centre + math_d::agaa_coveragePosition(s, 64) - middle, 1);
+                const glm::dvec3 at = toSheet * glm::dvec3(centre + math_d::agaa_coveragePosition(s, 64) - middle, 1);
                 if (at.z < -1e-4) {
                     wrong += count[s] != 0;
                     ++above;

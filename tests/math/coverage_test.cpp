@@ -73,8 +73,8 @@ TEST(TranslucentMask, LayersOverlapLikeIndependentOnes) {
     struct Split {
         unsigned samples, groups;
     };
-    for (const Split split : {Split{1, 1}, Split{4, 1}, Split{4, 2}, Split{4, 4}, Split{4, 8}, Split{8, 1}, Split{16, 1},
-                              Split{32, 1}, Split{8, 4}, Split{2, 1}, Split{1, 4}}) {
+    for (const Split split : {Split{1, 1}, Split{4, 1}, Split{4, 2}, Split{4, 4}, Split{4, 8}, Split{8, 1},
+                              Split{16, 1}, Split{32, 1}, Split{8, 4}, Split{2, 1}, Split{1, 4}}) {
         for (unsigned frame : {0u, 1u, 77u}) {
             double one = 0, two = 0;
             constexpr unsigned side = 192;
@@ -108,9 +108,9 @@ TEST(TranslucentMask, MeanOfALayerIsItsAlpha) {
             double sum = 0;
             for (unsigned y = 0; y < side; ++y)
                 for (unsigned x = 0; x < side; ++x)
-                    sum += glm::bitCount(math_f::agaa_translucentMask(
-                        alpha, split.samples, (x + y) % split.groups, split.groups,
-                        math_f::agaa_translucencyHash(x, y, 11, 0)));
+                    sum += glm::bitCount(math_f::agaa_translucentMask(alpha, split.samples, (x + y) % split.groups,
+                                                                      split.groups,
+                                                                      math_f::agaa_translucencyHash(x, y, 11, 0)));
             const double count = double(side) * side;
             const double part = double(alpha) * split.samples - std::floor(double(alpha) * split.samples);
             worst.add(std::abs(sum - double(alpha) * split.samples * count) / std::sqrt(part * (1 - part) * count));

@@ -108,7 +108,8 @@ TEST(DepthPlane, TheEquationInAbsolutePixelsIsWorse) {
         }
     }
     std::printf("[ measured ] error of the printed equation %.3g, of the plane from the centre %.3g; outside the "
-                "triangle's depths %zu of 10000\n", printed, ours, outside);
+                "triangle's depths %zu of 10000\n",
+                printed, ours, outside);
     EXPECT_GT(printed, 10 * ours);
     EXPECT_GT(outside, 1000u);
     EXPECT_LT(ours, 2e-7);
@@ -156,8 +157,8 @@ TEST(DepthPlane, AGrazingWallOverlapsOnlyItsOwnDepths) {
                        centre);
     };
     // 0.002 pixels wide, between w = 20 and 30.
-    const auto wall = planeOf(place({glm::dvec3(960.5, 400, 20), glm::dvec3(960.5, 700, 20),
-                                     glm::dvec3(960.502, 540, 30)}, false), centre);
+    const auto wall = planeOf(
+        place({glm::dvec3(960.5, 400, 20), glm::dvec3(960.5, 700, 20), glm::dvec3(960.502, 540, 30)}, false), centre);
     EXPECT_FALSE(math_f::agaa_depthsOverlap(wall, flat(15), 1e-6f));
     EXPECT_TRUE(math_f::agaa_depthsOverlap(wall, flat(25), 1e-6f));
     EXPECT_FALSE(math_f::agaa_depthsOverlap(wall, flat(40), 1e-6f));

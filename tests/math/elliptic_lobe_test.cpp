@@ -8,8 +8,7 @@ using namespace test_math;
 
 namespace {
 
-template <class Moments, class Vector>
-void add(Moments& moments, double weight, const Vector& n) {
+template <class Moments, class Vector> void add(Moments& moments, double weight, const Vector& n) {
     if constexpr (std::is_same_v<Vector, glm::vec3>)
         math_f::agaa_addNormalMoments(moments, float(weight), n);
     else
@@ -49,8 +48,8 @@ struct Normals {
         for (const glm::vec3& n : each)
             add(m, 1.0 / double(each.size()), glm::dvec3(n));
         Spread s;
-        math_d::agaa_spreadAlpha2(m, glm::normalize(glm::dvec3(mean)), double(length), alpha2, sggx, bound, s.axis, s.along,
-                                  s.across);
+        math_d::agaa_spreadAlpha2(m, glm::normalize(glm::dvec3(mean)), double(length), alpha2, sggx, bound, s.axis,
+                                  s.along, s.across);
         return s;
     }
 };
@@ -177,7 +176,8 @@ TEST(EllipticLobe, EqualNormalsKeepTheirLobe) {
 TEST(EllipticLobe, RoundOneIsGgxAndBlinnPhong) {
     Random random(204);
     for (unsigned brdf : {0u, 1u}) {
-        Worst same(brdf ? "GGX: elliptic against round, relative" : "Blinn-Phong: elliptic against round, relative", 1e-8);
+        Worst same(brdf ? "GGX: elliptic against round, relative" : "Blinn-Phong: elliptic against round, relative",
+                   1e-8);
         for (int i = 0; i < 100000; ++i) {
             const glm::dvec3 n = random.direction();
             glm::dvec3 v = random.direction();
@@ -187,7 +187,8 @@ TEST(EllipticLobe, RoundOneIsGgxAndBlinnPhong) {
             const double alpha2 = random.decades(4.2e-6, 1);
             const auto round = surface<math_d::agaa_Surface>(n, alpha2, 0, axis);
             const auto ellipse = surface<math_d::agaa_Surface>(n, alpha2, alpha2, axis);
-            same.relative(math_d::agaa_shade(ellipse, v, l, brdf, 0, 1).x, math_d::agaa_shade(round, v, l, brdf, 0, 0).x, 1e-6);
+            same.relative(math_d::agaa_shade(ellipse, v, l, brdf, 0, 1).x,
+                          math_d::agaa_shade(round, v, l, brdf, 0, 0).x, 1e-6);
         }
     }
 }
@@ -196,11 +197,11 @@ TEST(EllipticLobe, IsWideAlongItsAxis) {
     const double along = 0.3, across = 0.01, tilt = 0.3;
     const glm::dvec3 h(std::sin(tilt), 0, std::cos(tilt)), turned(0, h.x, h.z);
     EXPECT_GT(math_d::agaa_ggxEllipseD(along, across, h), 20 * math_d::agaa_ggxEllipseD(along, across, turned));
-    EXPECT_GT(math_d::agaa_blinnPhongEllipse(along, across, h), 20 * math_d::agaa_blinnPhongEllipse(along, across, turned));
+    EXPECT_GT(math_d::agaa_blinnPhongEllipse(along, across, h),
+              20 * math_d::agaa_blinnPhongEllipse(along, across, turned));
     // Smith's terms by hand: 1 / (2 (z_l sqrt(a x_v^2 + b y_v^2 + z_v^2) + z_v sqrt(a x_l^2 + b y_l^2 + z_l^2))).
     const glm::dvec3 v(0.6, 0, 0.8), l(0, 0.8, 0.6);
-    const double byHand =
-        0.5 / (0.6 * std::sqrt(0.3 * 0.36 + 0.64) + 0.8 * std::sqrt(0.01 * 0.64 + 0.36));
+    const double byHand = 0.5 / (0.6 * std::sqrt(0.3 * 0.36 + 0.64) + 0.8 * std::sqrt(0.01 * 0.64 + 0.36));
     EXPECT_NEAR(math_d::agaa_ggxEllipseV(along, across, v, l), byHand, 1e-12);
 }
 
@@ -240,7 +241,8 @@ TEST(EllipticLobe, ShadeFloatAgainstDouble) {
             const glm::vec3 l(glm::normalize(2.0 * glm::dot(h, v) * h - v));
             const glm::vec3 toEye(v);
             const auto f = surface<math_f::agaa_Surface>(n, double(across), double(along), axis);
-            const auto d = surface<math_d::agaa_Surface>(glm::dvec3(n), double(across), double(along), glm::dvec3(axis));
+            const auto d =
+                surface<math_d::agaa_Surface>(glm::dvec3(n), double(across), double(along), glm::dvec3(axis));
             worst.relative(double(math_f::agaa_shade(f, toEye, l, brdf, 0, 1).x),
                            math_d::agaa_shade(d, glm::dvec3(toEye), glm::dvec3(l), brdf, 0, 1).x, 1e-3);
         }

@@ -58,8 +58,7 @@ TEST(MathEncoding, HemiOctErrorAndFloatAgainstDouble) {
         angle.add(e);
         sum += e;
     }
-    std::printf("[ measured ] hemi-oct mean %.3f degrees; codes differ in %d of %d\n", sum / count,
-                different, count);
+    std::printf("[ measured ] hemi-oct mean %.3f degrees; codes differ in %d of %d\n", sum / count, different, count);
     EXPECT_LT(different, count / 5000);
 }
 
@@ -67,8 +66,10 @@ TEST(MathEncoding, MeansOfNeighbouringHemiOctCodesAreWithinTheBound) {
     double most = 0;
     for (unsigned x = 1; x < 255; ++x)
         for (unsigned y = 1; y < 255; ++y)
-            for (const glm::uvec2 other : {glm::uvec2(x + 1, y), glm::uvec2(x, y + 1), glm::uvec2(x + 1, y + 1), glm::uvec2(x + 1, y - 1)})
-                most = std::max(most, 1 - glm::length(0.5 * (math_d::agaa_decodeHemiOct8({x, y}) + math_d::agaa_decodeHemiOct8(other))));
+            for (const glm::uvec2 other :
+                 {glm::uvec2(x + 1, y), glm::uvec2(x, y + 1), glm::uvec2(x + 1, y + 1), glm::uvec2(x + 1, y - 1)})
+                most = std::max(most, 1 - glm::length(0.5 * (math_d::agaa_decodeHemiOct8({x, y}) +
+                                                             math_d::agaa_decodeHemiOct8(other))));
     std::printf("[ measured ] mean of neighbouring codes is shorter by %.3g\n", most);
     EXPECT_LE(most, double(math_f::agaa_hemiOct8LengthBound()));
     EXPECT_GT(most, 0.95 * double(math_f::agaa_hemiOct8LengthBound()));
@@ -106,8 +107,7 @@ TEST(MathEncoding, OctErrorPerBits) {
             ASSERT_GT(u.y * top, 0.99);
             ASSERT_LE(u.y, 1.0);
             // What a UNORM channel does to it: round to the nearest code.
-            const glm::vec2 stored(std::floor(u.x * top + 0.5) / top,
-                                   std::floor(u.y * top + 0.5) / top);
+            const glm::vec2 stored(std::floor(u.x * top + 0.5) / top, std::floor(u.y * top + 0.5) / top);
             angle.add(degreesBetween(glm::dvec3(math_f::agaa_decodeOct(stored, row.bits)), n));
         }
     }
@@ -134,9 +134,7 @@ TEST(MathEncoding, QuantiseRoundsToNearest) {
         for (int i = 0; i < 20000; ++i) {
             const float v = random.rangeF(0, 1);
             error.absolute(math_f::agaa_quantise(v, bits), double(v) * top);
-            ASSERT_LE(std::abs(int(math_f::agaa_quantise(v, bits)) -
-                               int(math_d::agaa_quantise(double(v), bits))),
-                      1);
+            ASSERT_LE(std::abs(int(math_f::agaa_quantise(v, bits)) - int(math_d::agaa_quantise(double(v), bits))), 1);
         }
         for (unsigned code = 0; code <= unsigned(top); code += 1 + unsigned(top) / 1000) {
             ASSERT_EQ(math_f::agaa_quantise(float(code / top), bits), code);
@@ -158,8 +156,7 @@ TEST(MathEncoding, MeanOfSum) {
         const unsigned bits = 1 + random.below(16);
         const unsigned count = 1 + random.below(32);
         const unsigned sum = random.below(count * ((1u << bits) - 1u)) + 1u;
-        error.relative(math_f::agaa_meanOfSum(sum, count, bits),
-                       math_d::agaa_meanOfSum(sum, count, bits));
+        error.relative(math_f::agaa_meanOfSum(sum, count, bits), math_d::agaa_meanOfSum(sum, count, bits));
     }
     EXPECT_EQ(math_f::agaa_meanOfSum(17, 0, 8), 0.0f);
 }
@@ -208,8 +205,7 @@ TEST(MathEncoding, SignedMeanOfSum) {
 }
 
 TEST(MathEncoding, DegenerateNormalsGiveTheCodeOfZ) {
-    const std::vector<glm::vec3> bad = {
-        {0, 0, 0}, {1e-40f, 0, 0}, {nanF(), 0, 1}, {0, infinityF(), 0}};
+    const std::vector<glm::vec3> bad = {{0, 0, 0}, {1e-40f, 0, 0}, {nanF(), 0, 1}, {0, infinityF(), 0}};
     for (const glm::vec3& n : bad) {
         EXPECT_EQ(math_f::agaa_encodeHemiOct8(n), glm::uvec2(128, 128));
         EXPECT_EQ(math_f::agaa_decodeOct(math_f::agaa_encodeOct(n, 10), 10), glm::vec3(0, 0, 1));

@@ -20,10 +20,8 @@ TEST(MathNdf, FloatAgainstDouble) {
         exponent.relative(math_f::agaa_exponentFromAlpha2(a), math_d::agaa_exponentFromAlpha2(a));
         toksvig.relative(math_f::agaa_toksvigAlpha2(a, len), math_d::agaa_toksvigAlpha2(a, len));
         folded.absolute(math_f::agaa_foldedLength(a), math_d::agaa_foldedLength(a));
-        unfolded.relative(math_f::agaa_alpha2FromFoldedLength(len),
-                          math_d::agaa_alpha2FromFoldedLength(len));
-        floor.absolute(math_f::agaa_varianceFloor(len, bound),
-                       math_d::agaa_varianceFloor(len, bound));
+        unfolded.relative(math_f::agaa_alpha2FromFoldedLength(len), math_d::agaa_alpha2FromFoldedLength(len));
+        floor.absolute(math_f::agaa_varianceFloor(len, bound), math_d::agaa_varianceFloor(len, bound));
     }
 }
 
@@ -90,14 +88,13 @@ TEST(MathBrdf, FloatAgainstDouble) {
         const float x = random.rangeF(1e-4, 1), y = random.rangeF(0, 1);
         v.relative(math_f::agaa_ggxV(a, x, y), math_d::agaa_ggxV(a, x, y));
         const glm::vec3 f0(random.rangeF(0, 1));
-        f.relative(math_f::agaa_fresnelSchlick(f0, x).x,
-                   math_d::agaa_fresnelSchlick(glm::dvec3(f0), x).x);
+        f.relative(math_f::agaa_fresnelSchlick(f0, x).x, math_d::agaa_fresnelSchlick(glm::dvec3(f0), x).x);
         const float l = (i % 2 ? 1.0f : -1.0f) * static_cast<float>(random.decades(1e-12, 0.999));
         log1p.relative(math_f::agaa_log1p(l), std::log1p(double(l)));
         log1pd.relative(math_d::agaa_log1p(l), std::log1p(double(l)));
         const float len = random.rangeF(0, 1), u = random.rangeF(-1, 1);
-        diffuse.relative(math_f::agaa_rectifiedDiffuse(len * u, u, len),
-                         math_d::agaa_rectifiedDiffuse(len * u, u, len), 1e-3);
+        diffuse.relative(math_f::agaa_rectifiedDiffuse(len * u, u, len), math_d::agaa_rectifiedDiffuse(len * u, u, len),
+                         1e-3);
     }
 }
 
@@ -116,8 +113,7 @@ TEST(MathBrdf, LobesIntegrateToOne) {
             const double c = std::cos(mid), s = std::sin(mid);
             const double weight = 6.283185307179586 * s * c * w;
             ggx += math_d::agaa_ggxD(a2, c, s * s) * weight;
-            blinn +=
-                math_d::agaa_blinnPhong(math_d::agaa_exponentFromAlpha2(a2), s * s, c) * weight;
+            blinn += math_d::agaa_blinnPhong(math_d::agaa_exponentFromAlpha2(a2), s * s, c) * weight;
         }
         EXPECT_NEAR(ggx, 1.0, 1e-3) << a2;
         EXPECT_NEAR(blinn, 1.0, 1e-3) << a2;
@@ -134,8 +130,7 @@ TEST(MathBrdf, RectifiedDiffuseIsExactForOneNormal) {
     Worst jump("rectifiedDiffuse: step at length 1 - 1e-6", 6e-4);
     for (int i = -1000; i <= 1000; ++i) {
         const float u = static_cast<float>(i) / 1000.0f;
-        jump.absolute(math_f::agaa_rectifiedDiffuse(u * (1.0f - 1e-6f), u, 1.0f - 1e-6f),
-                      std::max(u, 0.0f));
+        jump.absolute(math_f::agaa_rectifiedDiffuse(u * (1.0f - 1e-6f), u, 1.0f - 1e-6f), std::max(u, 0.0f));
     }
     // Monotone in the cosine, never negative, at most 1.
     for (int l = 0; l <= 20; ++l) {
@@ -198,8 +193,7 @@ TEST(MathDepth, InvertsEveryProjection) {
             const double d = (p.p22 * z + p.p32) / -z;
             inverse.relative(math_d::agaa_viewZFromDepth(d, p.p22, p.p32, 0), z);
             const float df = static_cast<float>(d), a = float(p.p22), b = float(p.p32);
-            toDouble.relative(math_f::agaa_viewZFromDepth(df, a, b, 0),
-                              math_d::agaa_viewZFromDepth(df, a, b, 0), 1e-6);
+            toDouble.relative(math_f::agaa_viewZFromDepth(df, a, b, 0), math_d::agaa_viewZFromDepth(df, a, b, 0), 1e-6);
             const double q = std::ldexp(1.0, -24);
             const double dz = std::abs(math_d::agaa_viewZFromDepth(d + 0.5 * q, p.p22, p.p32, 0) -
                                        math_d::agaa_viewZFromDepth(d - 0.5 * q, p.p22, p.p32, 0));
@@ -230,12 +224,10 @@ TEST(MathDepth, ViewPositionInvertsTheProjection) {
         const glm::vec2 ndc(random.rangeF(-1, 1), random.rangeF(-1, 1));
         const float z = -float(random.decades(0.1, 1e5));
         const glm::dvec3 p(math_f::agaa_viewPosition(ndc, z, a, b, c, d, 0));
-        const glm::dvec2 back((double(a) * p.x + double(c) * p.z) / -p.z,
-                              (double(b) * p.y + double(d) * p.z) / -p.z);
+        const glm::dvec2 back((double(a) * p.x + double(c) * p.z) / -p.z, (double(b) * p.y + double(d) * p.z) / -p.z);
         perspective.add(glm::length(back - glm::dvec2(ndc)));
         const glm::dvec3 o(math_f::agaa_viewPosition(ndc, z, a, b, c, d, 1));
-        ortho.add(glm::length(glm::dvec2(o.x * double(a) + double(c), o.y * double(b) + double(d)) -
-                              glm::dvec2(ndc)));
+        ortho.add(glm::length(glm::dvec2(o.x * double(a) + double(c), o.y * double(b) + double(d)) - glm::dvec2(ndc)));
         EXPECT_EQ(o.z, z);
     }
 }
@@ -262,14 +254,12 @@ TEST(MathLight, FloatAgainstDouble) {
     Worst direction("lightDirection: length error beyond 1 mm", 3e-7);
     for (int i = 0; i < 100000; ++i) {
         const float range = i % 3 ? random.rangeF(1, 100) : 0.0f;
-        const float d =
-            range > 0 ? range * random.rangeF(0.01, 0.9) : float(random.decades(.01, 1e4));
+        const float d = range > 0 ? range * random.rangeF(0.01, 0.9) : float(random.decades(.01, 1e4));
         attenuation.relative(math_f::agaa_pointAttenuation(d * d, range, 1e-4f),
                              math_d::agaa_pointAttenuation(d * d, range, 1e-4f));
         const float outer = random.rangeF(0, 0.9), inner = outer + random.rangeF(0.01, 0.1);
         const float x = random.rangeF(outer, inner);
-        cone.absolute(math_f::agaa_spotCone(x, inner, outer),
-                      math_d::agaa_spotCone(x, inner, outer));
+        cone.absolute(math_f::agaa_spotCone(x, inner, outer), math_d::agaa_spotCone(x, inner, outer));
         const glm::vec3 l(random.direction() * random.decades(1.1e-3, 1e5));
         direction.absolute(glm::length(glm::dvec3(math_f::agaa_lightDirection(l, 1e-2f))), 1.0);
     }
@@ -277,8 +267,7 @@ TEST(MathLight, FloatAgainstDouble) {
     EXPECT_EQ(math_f::agaa_pointAttenuation(4.0f, 0.0f, 1e-4f), 0.25f);
 }
 
-template <class S, class V>
-S makeSurface(const V& diffuse, const V& specular, const V& normal, double len, double a2) {
+template <class S, class V> S makeSurface(const V& diffuse, const V& specular, const V& normal, double len, double a2) {
     S s;
     s.diffuse = diffuse;
     s.specular = specular;
@@ -311,8 +300,7 @@ TEST(MathLight, ShadeFloatAgainstDouble) {
         const glm::vec3 ks(static_cast<float>(random.unit()));
         const float len = random.rangeF(0.2, 1), a2 = float(alpha * alpha);
         const auto sf = makeSurface<math_f::agaa_Surface>(kd, ks, n, len, a2);
-        const auto sd = makeSurface<math_d::agaa_Surface>(glm::dvec3(kd), glm::dvec3(ks),
-                                                          glm::dvec3(n), len, a2);
+        const auto sd = makeSurface<math_d::agaa_Surface>(glm::dvec3(kd), glm::dvec3(ks), glm::dvec3(n), len, a2);
         for (unsigned brdf : {0u, 1u}) {
             const glm::vec3 f = math_f::agaa_shade(sf, v, l, brdf, 1u, 0u);
             const glm::dvec3 d = math_d::agaa_shade(sd, glm::dvec3(v), glm::dvec3(l), brdf, 1u, 0u);
@@ -333,8 +321,8 @@ TEST(MathLight, ShadeIsFiniteForAnyFiniteInput) {
         s.normal = {pick(), pick(), pick()};
         s.meanLength = pick();
         s.alpha2 = pick();
-        const glm::vec3 c = math_f::agaa_shade(s, {pick(), pick(), pick()},
-                                               {pick(), pick(), pick()}, i & 1, (i >> 1) & 1, 0u);
+        const glm::vec3 c =
+            math_f::agaa_shade(s, {pick(), pick(), pick()}, {pick(), pick(), pick()}, i & 1, (i >> 1) & 1, 0u);
         ASSERT_TRUE(allFinite(c));
         ASSERT_GE(std::min(c.x, std::min(c.y, c.z)), 0.0f);
     }
@@ -347,15 +335,14 @@ TEST(MathLight, ShadeConservesEnergy) {
         for (double alpha : {0.2, 0.5, 1.0}) {
             for (double cosV : {0.2, 0.6, 1.0}) {
                 const glm::dvec3 v(std::sqrt(1 - cosV * cosV), 0, cosV);
-                const auto s = makeSurface<math_d::agaa_Surface>(
-                    glm::dvec3(0), glm::dvec3(1), glm::dvec3(0, 0, 1), 1.0, alpha * alpha);
+                const auto s = makeSurface<math_d::agaa_Surface>(glm::dvec3(0), glm::dvec3(1), glm::dvec3(0, 0, 1), 1.0,
+                                                                 alpha * alpha);
                 double sum = 0.0;
                 const int count = 20000;
                 for (int i = 0; i < count; ++i) {
                     sum += math_d::agaa_shade(s, v, random.hemisphere(), brdf, 0, 0).x;
                 }
-                EXPECT_LE(sum / count * 6.283185307179586, 1.05)
-                    << brdf << " " << alpha << " " << cosV;
+                EXPECT_LE(sum / count * 6.283185307179586, 1.05) << brdf << " " << alpha << " " << cosV;
             }
         }
     }

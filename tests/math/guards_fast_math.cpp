@@ -14,18 +14,10 @@ struct rvec3 {
     float x, y, z;
     rvec3(float a, float b, float c) : x(a), y(b), z(c) {}
 };
-inline float abs(float x) {
-    return x < 0.0f ? -x : x;
-}
-inline float max(float a, float b) {
-    return a < b ? b : a;
-}
-inline float clamp(float x, float lo, float hi) {
-    return x < lo ? lo : (x > hi ? hi : x);
-}
-inline bool agaa_exponentIsAllOnes(float x) {
-    return (std::bit_cast<std::uint32_t>(x) & 0x7F800000u) == 0x7F800000u;
-}
+inline float abs(float x) { return x < 0.0f ? -x : x; }
+inline float max(float a, float b) { return a < b ? b : a; }
+inline float clamp(float x, float lo, float hi) { return x < lo ? lo : (x > hi ? hi : x); }
+inline bool agaa_exponentIsAllOnes(float x) { return (std::bit_cast<std::uint32_t>(x) & 0x7F800000u) == 0x7F800000u; }
 
 #define AGAA_MATH_CPP
 #define OUT(T) T&
@@ -37,14 +29,8 @@ inline bool agaa_exponentIsAllOnes(float x) {
 
 } // namespace
 
-bool fastMathIsFinite(float x) {
-    return agaa_isFinite(x);
-}
+bool fastMathIsFinite(float x) { return agaa_isFinite(x); }
 
-float fastMathSanitise(float x, float lo, float hi, unsigned& bad) {
-    return agaa_sanitise(x, lo, hi, bad);
-}
+float fastMathSanitise(float x, float lo, float hi, unsigned& bad) { return agaa_sanitise(x, lo, hi, bad); }
 
-bool fastMathComparesEqualToItself(float x) {
-    return x == x;
-}
+bool fastMathComparesEqualToItself(float x) { return x == x; }

@@ -109,8 +109,7 @@ TEST(HardCase20_DepthQuantum, AFarSampleLeavesNearOnesApart) {
 
 TEST(HardCase21_CharacteristicLength, AnyValueOfK) {
     Random random(321);
-    for (double k : {0.0, -1.0, double(FLT_TRUE_MIN), 1e-30, 1e-3, 1e30, double(infinityF()),
-                     double(nanF())}) {
+    for (double k : {0.0, -1.0, double(FLT_TRUE_MIN), 1e-30, 1e-3, 1e30, double(infinityF()), double(nanF())}) {
         for (int i = 0; i < 300; ++i) {
             const auto pixel = randomPixel(random, 16, 4, i % 2 ? 1e6 : 3.0, 0.2);
             const auto r = runF(pixel, 4, k, kT);
@@ -123,8 +122,7 @@ TEST(HardCase21_CharacteristicLength, AnyValueOfK) {
     // Infinite k: normals only.
     std::vector<Sample> pixel;
     for (unsigned s = 0; s < 8; ++s) {
-        pixel.push_back(makeSample({0, 0, -1.0 - s * 1e5},
-                                   s % 2 ? glm::dvec3(0.8, 0, 0.6) : glm::dvec3(0, 0, 1), s));
+        pixel.push_back(makeSample({0, 0, -1.0 - s * 1e5}, s % 2 ? glm::dvec3(0.8, 0, 0.6) : glm::dvec3(0, 0, 1), s));
     }
     const auto r = runF(pixel, 4, double(infinityF()), kT);
     EXPECT_EQ(r.count, 2u);
@@ -132,8 +130,7 @@ TEST(HardCase21_CharacteristicLength, AnyValueOfK) {
         EXPECT_EQ(r.ids[s], r.ids[s % 2]);
     // Distances far beyond what a square fits into a float.
     math_f::Clustering c;
-    const float d = c.agaa_sampleDistance({1e30f, 0, 0}, {-1e30f, 0, 0}, {0, 0, 1}, {0, 0, 1},
-                                          c.agaa_inverseK2(0.0f));
+    const float d = c.agaa_sampleDistance({1e30f, 0, 0}, {-1e30f, 0, 0}, {0, 0, 1}, {0, 0, 1}, c.agaa_inverseK2(0.0f));
     EXPECT_EQ(d, 1e6f);
     EXPECT_LE(c.agaa_quantiseDistance(infinityF()), 4096004096u);
 }
@@ -162,8 +159,8 @@ TEST(HardCase23_Ties, PermutationsLeaveThePartitionUnchanged) {
     for (unsigned n : {2u, 4u, 8u, 16u, 32u}) {
         for (unsigned c = 1; c <= 4; ++c) {
             for (int i = 0; i < 300; ++i) {
-                auto pixel = randomPixel(random, n, 1 + random.below(5), random.decades(0.01, 5),
-                                         i % 2 ? 0.0 : 0.3, i % 3 ? 1.0 : 0.7);
+                auto pixel = randomPixel(random, n, 1 + random.below(5), random.decades(0.01, 5), i % 2 ? 0.0 : 0.3,
+                                         i % 3 ? 1.0 : 0.7);
                 if (i % 4 == 0) {
                     // Coarse positions: many exactly equal distances, decided by content.
                     for (Sample& s : pixel) {
@@ -191,8 +188,7 @@ TEST(HardCase23_Ties, MirroredPairs) {
         for (unsigned p = 0; p < pairs; ++p) {
             const double y = 0.001 * p;
             for (double side : {-1.0, 1.0}) {
-                pixel.push_back(makeSample({side * 0.5, y, -4.0},
-                                           glm::normalize(glm::dvec3(side * 0.5, 0, 1)),
+                pixel.push_back(makeSample({side * 0.5, y, -4.0}, glm::normalize(glm::dvec3(side * 0.5, 0, 1)),
                                            unsigned(pixel.size())));
             }
         }

@@ -160,8 +160,7 @@ TEST(HardCase05_QuantisedVarianceFloor, FlatMirrorStaysAMirror) {
                 float len;
                 const float a = math_f::agaa_minAlpha2();
                 math_f::agaa_meanDirection(meanE, normal, d, len);
-                float kept =
-                    math_f::agaa_varianceFloor(len, math_f::agaa_storedLengthBound(1, bits));
+                float kept = math_f::agaa_varianceFloor(len, math_f::agaa_storedLengthBound(1, bits));
                 ASSERT_EQ(kept, 1.0f) << bits << " " << n;
                 math_f::agaa_meanDirection(meanB, normal, d, len);
                 untreated = std::max(untreated, double(math_f::agaa_toksvigAlpha2(a, len)));
@@ -170,8 +169,8 @@ TEST(HardCase05_QuantisedVarianceFloor, FlatMirrorStaysAMirror) {
                 kept = math_f::agaa_varianceFloor(len, math_f::agaa_storedLengthBound(2 * n, bits));
                 raised = std::max(raised, double(math_f::agaa_toksvigAlpha2(a, kept)));
             }
-            std::printf("[ measured ] mirror, RGB%u, n=%u: alpha %.4f, without the floor %.4f\n",
-                        bits, n, std::sqrt(raised), std::sqrt(untreated));
+            std::printf("[ measured ] mirror, RGB%u, n=%u: alpha %.4f, without the floor %.4f\n", bits, n,
+                        std::sqrt(raised), std::sqrt(untreated));
             EXPECT_EQ(static_cast<float>(raised), math_f::agaa_minAlpha2());
         }
     }
@@ -205,12 +204,10 @@ TEST(HardCase08_GgxTinyAlpha, CrossFormAgainstDouble) {
         const glm::vec3 h(glm::normalize(nd + alpha * random.range(0.1, 3) * random.direction()));
         const glm::vec3 c = glm::cross(n, h);
         const glm::dvec3 cd = glm::cross(glm::dvec3(n), glm::dvec3(h));
-        const double reference =
-            math_d::agaa_ggxD(a2, glm::dot(glm::dvec3(n), glm::dvec3(h)), glm::dot(cd, cd));
+        const double reference = math_d::agaa_ggxD(a2, glm::dot(glm::dvec3(n), glm::dvec3(h)), glm::dot(cd, cd));
         const float noH = glm::dot(n, h);
         error.relative(math_f::agaa_ggxD(a2, noH, glm::dot(c, c)), reference);
-        const float plain =
-            a2 / (math_f::agaa_pi() * math_f::agaa_sq(noH * noH * (a2 - 1.0f) + 1.0f));
+        const float plain = a2 / (math_f::agaa_pi() * math_f::agaa_sq(noH * noH * (a2 - 1.0f) + 1.0f));
         textbook = std::max(textbook, std::abs(double(plain) - reference) / reference);
     }
     std::printf("[ measured ] textbook form on the same vectors: relative error %.3g\n", textbook);
@@ -225,8 +222,7 @@ TEST(HardCase09_RoughnessConventions, RoundTripIsTheIdentity) {
     Worst ulps("alpha2 -> exponent -> alpha2 at length 1: units in the last place", 2.0);
     Random random(109);
     for (int i = 0; i < 200000; ++i) {
-        const float a =
-            static_cast<float>(i % 2 ? random.decades(4.2e-6, 1) : random.range(1e-5, 1));
+        const float a = static_cast<float>(i % 2 ? random.decades(4.2e-6, 1) : random.range(1e-5, 1));
         const float s = math_f::agaa_exponentFromAlpha2(a);
         const float back = math_f::agaa_toksvigAlpha2(2.0f / (s + 2.0f), 1.0f);
         ulps.add(std::abs(double(back) - double(a)) / double(std::nextafter(a, 2.0f) - a));
@@ -261,8 +257,7 @@ TEST(HardCase13_ProductAboveOne, NoNaN) {
         ASSERT_TRUE(std::isfinite(math_f::agaa_normalMetric(d)));
         ASSERT_LE(math_f::agaa_normalMetric(d), 5e-4f);
     }
-    std::printf("[ measured ] n.n above 1 for %.1f %% of rounded unit vectors\n",
-                100.0 * above / count);
+    std::printf("[ measured ] n.n above 1 for %.1f %% of rounded unit vectors\n", 100.0 * above / count);
     EXPECT_GT(above, 0);
 }
 
@@ -306,15 +301,13 @@ TEST(HardCase58_BlinnPhongHighExponents, AgainstDouble) {
     double power = 0.0;
     for (int i = 0; i < 200000; ++i) {
         const float s = static_cast<float>(random.decades(1, 1e6));
-        const double angle = i % 2 ? random.decades(1e-8, 1e-4)
-                                   : std::min(1.5, random.range(0, 4) / std::sqrt(double(s)));
+        const double angle =
+            i % 2 ? random.decades(1e-8, 1e-4) : std::min(1.5, random.range(0, 4) / std::sqrt(double(s)));
         const float sin2 = static_cast<float>(std::sin(angle) * std::sin(angle));
         const float cosine = static_cast<float>(std::cos(angle));
         // The cosine that belongs to the sine given: the reference must not see another angle.
-        const double logCosine =
-            sin2 < 0.5f ? 0.5 * std::log1p(-double(sin2)) : std::log(double(cosine));
-        const double reference =
-            (double(s) + 2.0) / 6.283185307179586 * std::exp(double(s) * logCosine);
+        const double logCosine = sin2 < 0.5f ? 0.5 * std::log1p(-double(sin2)) : std::log(double(cosine));
+        const double reference = (double(s) + 2.0) / 6.283185307179586 * std::exp(double(s) * logCosine);
         (i % 2 ? near : wide).relative(math_f::agaa_blinnPhong(s, sin2, cosine), reference);
         const double plain = (double(s) + 2.0) / 6.283185307179586 * double(std::pow(cosine, s));
         power = std::max(power, std::abs(plain - reference) / reference);

@@ -27,15 +27,13 @@ TEST(HardCase10_NormalCodes, AllCodesRoundTrip) {
 }
 
 TEST(HardCase10_NormalCodes, PoleAndSeam) {
-    EXPECT_EQ(math_f::agaa_decodeHemiOct8(math_f::agaa_encodeHemiOct8({0, 0, 1})),
-              glm::vec3(0, 0, 1));
+    EXPECT_EQ(math_f::agaa_decodeHemiOct8(math_f::agaa_encodeHemiOct8({0, 0, 1})), glm::vec3(0, 0, 1));
     Worst seam("azimuth 0 against 2 pi - 1e-6: degrees between the decoded normals", 0.6);
     for (double z : {0.0, 0.1, 0.5, 0.9, 0.999}) {
         const double r = std::sqrt(1 - z * z);
         const glm::vec3 a(r, r * 5e-7, z), b(r, -r * 5e-7, z);
-        seam.add(degreesBetween(
-            glm::dvec3(math_f::agaa_decodeHemiOct8(math_f::agaa_encodeHemiOct8(a))),
-            glm::dvec3(math_f::agaa_decodeHemiOct8(math_f::agaa_encodeHemiOct8(b)))));
+        seam.add(degreesBetween(glm::dvec3(math_f::agaa_decodeHemiOct8(math_f::agaa_encodeHemiOct8(a))),
+                                glm::dvec3(math_f::agaa_decodeHemiOct8(math_f::agaa_encodeHemiOct8(b)))));
     }
     Worst floor("Equation 1 between a normal and its decoded code", 9e-5);
     Random random(210);
@@ -64,16 +62,15 @@ TEST(UnormChannels, RoundingAndTruncatingDriversStoreTheNearest) {
 
 TEST(HardCase11_SphereMapPoles, OctahedralHasNone) {
     for (unsigned bits : {8u, 11u, 16u}) {
-        for (const glm::vec3& n : {glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(0, -0.0f, 1),
-                                   glm::vec3(-0.0f, 0, -1)}) {
+        for (const glm::vec3& n :
+             {glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(0, -0.0f, 1), glm::vec3(-0.0f, 0, -1)}) {
             EXPECT_EQ(math_f::agaa_decodeOct(math_f::agaa_encodeOct(n, bits), bits), n);
         }
         // Every stored value decodes to a unit vector, those that no encoder writes too.
         const float top = static_cast<float>(math_f::agaa_maxCode(bits));
         Random random(211);
         for (int i = 0; i < 50000; ++i) {
-            const glm::vec2 u(std::floor(random.rangeF(0, 1) * top) / top,
-                              i % 10 ? random.rangeF(0, 1) : 0);
+            const glm::vec2 u(std::floor(random.rangeF(0, 1) * top) / top, i % 10 ? random.rangeF(0, 1) : 0);
             ASSERT_NEAR(glm::length(math_f::agaa_decodeOct(u, bits)), 1.0f, 3e-7f);
         }
     }
@@ -214,12 +211,10 @@ static void expectPlanesRoundTrip(unsigned n, unsigned c, const std::vector<unsi
     glm::uvec2 planes(0u);
     for (unsigned s = 0; s < n; ++s)
         math_f::agaa_putAggregateId(planes, s, ids[s]);
-    const glm::uvec2 loaded =
-        math_f::agaa_loadedPlanes(math_f::agaa_storedPlanes(planes, n, c), n, c);
+    const glm::uvec2 loaded = math_f::agaa_loadedPlanes(math_f::agaa_storedPlanes(planes, n, c), n, c);
     for (unsigned a = 0; a < c; ++a)
         for (unsigned s = 0; s < n; ++s)
-            ASSERT_EQ(math_f::agaa_samplesOfAggregate(loaded, a) >> s & 1u,
-                      unsigned(ids[s] == a))
+            ASSERT_EQ(math_f::agaa_samplesOfAggregate(loaded, a) >> s & 1u, unsigned(ids[s] == a))
                 << "n=" << n << " c=" << c << " sample " << s << " aggregate " << a;
 }
 
@@ -259,8 +254,7 @@ TEST(HardCase31_RoundingOfSums, MeanOfCodesWithinHalfACode) {
                 sum += math_f::agaa_quantise(v, bits);
                 mean += double(v) / n;
             }
-            error.add(std::abs(double(math_f::agaa_meanOfSum(sum, n, bits)) - mean) *
-                      math_f::agaa_maxCode(bits));
+            error.add(std::abs(double(math_f::agaa_meanOfSum(sum, n, bits)) - mean) * math_f::agaa_maxCode(bits));
         }
     }
 }

@@ -1,5 +1,5 @@
-// Lights against boxes (math/light_culling.glsl): a light that is left out gives nothing at any place of the box, in float as the
-// GPU has it, and most of those that give nothing are left out.
+// Lights against boxes (math/light_culling.glsl): a light that is left out gives nothing at any place of the box, in
+// float as the GPU has it, and most of those that give nothing are left out.
 #include "shader_math.h"
 #include "test_support.h"
 
@@ -34,7 +34,8 @@ Case randomCase(Random& random) {
 glm::vec3 placeIn(const Case& c, Random& random) {
     glm::vec3 p;
     for (int axis = 0; axis < 3; ++axis)
-        p[axis] = std::clamp(c.low[axis] + float(random.unit()) * (c.high[axis] - c.low[axis]), c.low[axis], c.high[axis]);
+        p[axis] =
+            std::clamp(c.low[axis] + float(random.unit()) * (c.high[axis] - c.low[axis]), c.low[axis], c.high[axis]);
     return p;
 }
 
@@ -46,7 +47,8 @@ TEST(MathLightCulling, RangesThatDoNotReachGiveNothing) {
     for (int round = 0; round < 20000; ++round) {
         const Case c = randomCase(random);
         const bool reaches = math_f::agaa_rangeReaches(c.light, c.range, c.low, c.high);
-        const glm::dvec3 away = glm::clamp(glm::dvec3(c.light), glm::dvec3(c.low), glm::dvec3(c.high)) - glm::dvec3(c.light);
+        const glm::dvec3 away =
+            glm::clamp(glm::dvec3(c.light), glm::dvec3(c.low), glm::dvec3(c.high)) - glm::dvec3(c.light);
         out += glm::length(away) > double(c.range) * 1.01;
         culled += !reaches;
         for (int i = 0; !reaches && i < 16; ++i) {
@@ -68,7 +70,8 @@ TEST(MathLightCulling, ConesThatDoNotReachGiveNothing) {
         const bool reaches = math_f::agaa_coneReaches(c.light, c.direction, c.cosOuter, centre, radius);
         const glm::dvec3 v = glm::dvec3(centre) - glm::dvec3(c.light);
         const double angle = std::acos(std::clamp(glm::dot(v, glm::dvec3(c.direction)) / glm::length(v), -1.0, 1.0));
-        const double needed = std::acos(std::max(double(c.cosOuter), -1.0)) + std::asin(std::min(double(radius) / glm::length(v), 1.0));
+        const double needed =
+            std::acos(std::max(double(c.cosOuter), -1.0)) + std::asin(std::min(double(radius) / glm::length(v), 1.0));
         out += c.cosOuter > 0 && glm::length(v) > 2.0 * double(radius) && angle > needed + 0.1;
         culled += !reaches;
         for (int i = 0; !reaches && i < 16; ++i) {

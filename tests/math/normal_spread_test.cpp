@@ -28,8 +28,7 @@ struct Double {
 };
 
 // Normals of one weight each, merged one after the other about their mean direction.
-template <class Real>
-typename Real::Spread merged(const std::vector<glm::dvec3>& normals) {
+template <class Real> typename Real::Spread merged(const std::vector<glm::dvec3>& normals) {
     using Vector = typename Real::Vector;
     typename Real::Spread s = Real::none(Vector(normals[0]));
     glm::dvec3 sum = normals[0];
@@ -178,7 +177,8 @@ TEST(NormalSpread, StaysFiniteOnExtremes) {
             const glm::vec3 n(random.direction()), change = v * glm::vec3(random.direction());
             // Normals change by a unit a pixel at most (common/curvature.glsl).
             const glm::vec3 bounded = glm::length(change) <= 1.0f ? change : glm::vec3(random.direction());
-            const auto s = math_f::agaa_spreadOfChange(n, bounded, -bounded, glm::vec3(0.25f, 0.25f, random.rangeF(-0.25, 0.25)));
+            const auto s =
+                math_f::agaa_spreadOfChange(n, bounded, -bounded, glm::vec3(0.25f, 0.25f, random.rangeF(-0.25, 0.25)));
             const auto m = math_f::agaa_mixSpreads(s, math_f::agaa_noSpread(n), random.rangeF(0, 1), n);
             glm::vec3 axis;
             float along = 0, across = 0;

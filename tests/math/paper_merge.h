@@ -1,5 +1,5 @@
-// Algorithm 1 of the DCAA paper (Wang et al., I3D 2016, sections 3.2 and 3.3), written from its text, and the SDK's own rule
-// (AGAA_MERGE_VISIBLE).
+// Algorithm 1 of the DCAA paper (Wang et al., I3D 2016, sections 3.2 and 3.3), written from its text, and the SDK's own
+// rule (AGAA_MERGE_VISIBLE).
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,8 @@ inline float dotOf(const Surface& a, const Surface& b) {
     return x + y + z;
 }
 
-// "averaging normals, depths, and material parameters based on a weighted average of the fragment's and surface's coverage"
+// "averaging normals, depths, and material parameters based on a weighted average of the fragment's and surface's
+// coverage"
 inline void average(Surface& into, const Surface& from, const Bits& bits, size_t ofInto, size_t ofFrom, float slack) {
     const float share = float(ofFrom) / float(ofInto + ofFrom);
     const auto mix = [share](float& a, float b) { a += (b - a) * share; };

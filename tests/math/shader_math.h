@@ -23,28 +23,28 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 
-#define AGAA_MATH_USINGS                                                                           \
-    using glm::uint;                                                                               \
-    using glm::uvec2;                                                                              \
-    using glm::uvec3;                                                                              \
-    using glm::uvec4;                                                                              \
-    using glm::bitCount;                                                                           \
-    using glm::abs;                                                                                \
-    using glm::ceil;                                                                               \
-    using glm::clamp;                                                                              \
-    using glm::cross;                                                                              \
-    using glm::dot;                                                                                \
-    using glm::exp;                                                                                \
-    using glm::exp2;                                                                               \
-    using glm::findLSB;                                                                            \
-    using glm::findMSB;                                                                            \
-    using glm::floor;                                                                              \
-    using glm::log;                                                                                \
-    using glm::log2;                                                                               \
-    using glm::max;                                                                                \
-    using glm::min;                                                                                \
-    using glm::normalize;                                                                          \
-    using glm::pow;                                                                                \
+#define AGAA_MATH_USINGS                                                                                               \
+    using glm::uint;                                                                                                   \
+    using glm::uvec2;                                                                                                  \
+    using glm::uvec3;                                                                                                  \
+    using glm::uvec4;                                                                                                  \
+    using glm::bitCount;                                                                                               \
+    using glm::abs;                                                                                                    \
+    using glm::ceil;                                                                                                   \
+    using glm::clamp;                                                                                                  \
+    using glm::cross;                                                                                                  \
+    using glm::dot;                                                                                                    \
+    using glm::exp;                                                                                                    \
+    using glm::exp2;                                                                                                   \
+    using glm::findLSB;                                                                                                \
+    using glm::findMSB;                                                                                                \
+    using glm::floor;                                                                                                  \
+    using glm::log;                                                                                                    \
+    using glm::log2;                                                                                                   \
+    using glm::max;                                                                                                    \
+    using glm::min;                                                                                                    \
+    using glm::normalize;                                                                                              \
+    using glm::pow;                                                                                                    \
     using glm::sqrt;
 
 namespace math_f {
@@ -54,9 +54,7 @@ using rvec2 = glm::vec2;
 using rvec3 = glm::vec3;
 using rvec4 = glm::vec4;
 namespace {
-bool agaa_exponentIsAllOnes(real x) {
-    return (std::bit_cast<std::uint32_t>(x) & 0x7F800000u) == 0x7F800000u;
-}
+bool agaa_exponentIsAllOnes(real x) { return (std::bit_cast<std::uint32_t>(x) & 0x7F800000u) == 0x7F800000u; }
 #include "shader_math_files.inl"
 } // namespace
 } // namespace math_f

@@ -24,7 +24,10 @@ glm::uvec4 wordsOf(const Bits& bits) {
 }
 
 Shader shaderOf(const Surface& s) {
-    return {wordsOf(s.coverage), {s.depth, s.slopeX, s.slopeY}, {s.nearest, s.farthest}, {s.normal[0], s.normal[1], s.normal[2]}};
+    return {wordsOf(s.coverage),
+            {s.depth, s.slopeX, s.slopeY},
+            {s.nearest, s.farthest},
+            {s.normal[0], s.normal[1], s.normal[2]}};
 }
 
 struct Random {
@@ -110,7 +113,8 @@ TEST(SurfaceMerge, AnswersSayWhatBecomesOfAttributes) {
             if (done.from != AGAA_NO_SURFACE)
                 mix(done.into, value[done.from], done.moved);
             if (done.to != AGAA_NO_SURFACE)
-                done.share < 1 ? mix(done.to, value[rules.limit], done.share) : void(value[done.to] = value[rules.limit]);
+                done.share < 1 ? mix(done.to, value[rules.limit], done.share)
+                               : void(value[done.to] = value[rules.limit]);
         }
         for (uint32_t i = 0; i < shader.agaa_keptCount; ++i)
             ASSERT_EQ(value[i], shader.agaa_kept[i].plane.x) << run;

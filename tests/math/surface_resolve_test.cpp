@@ -35,12 +35,15 @@ TEST(CoveredSamples, MiddleAndNumberAreThoseOfOneByOne) {
 
 TEST(CoveredSamples, BehindIsWhatDoubleSays) {
     std::mt19937 random(2);
-    const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+    const auto uniform = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
     uint32_t mixed = 0;
     for (int run = 0; run < 3000; ++run) {
         const uint32_t samples = 32u << run % 3;
         const glm::uvec4 both = randomMask(random, samples);
-        const glm::vec3 a(uniform(0, 0.2f), uniform(-1, 1), uniform(-1, 1)), b(uniform(0, 0.2f), uniform(-1, 1), uniform(-1, 1));
+        const glm::vec3 a(uniform(0, 0.2f), uniform(-1, 1), uniform(-1, 1)),
+            b(uniform(0, 0.2f), uniform(-1, 1), uniform(-1, 1));
         const glm::uvec4 hidden = math_f::agaa_samplesBehind(a, b, both, false, samples);
         ASSERT_EQ(hidden & ~both, glm::uvec4(0u));
         mixed += hidden != both && hidden != glm::uvec4(0u);
@@ -61,7 +64,9 @@ TEST(CoveredSamples, BehindIsWhatDoubleSays) {
 
 TEST(CoveredSamples, PlanesStayInTheirRange) {
     std::mt19937 random(3);
-    const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+    const auto uniform = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
     for (int run = 0; run < 3000; ++run) {
         math_f::agaa_DepthPlane plane;
         plane.slope = {uniform(-1, 1), uniform(-1, 1)};

@@ -7,8 +7,7 @@ namespace {
 
 constexpr double cosine = 0.9, width = 0.01, k = 0.1, t = 0.02;
 
-template <class State>
-unsigned select(State& state, const std::vector<Sample>& pixel, unsigned limit) {
+template <class State> unsigned select(State& state, const std::vector<Sample>& pixel, unsigned limit) {
     using real = std::remove_reference_t<decltype(state.agaa_samplePosition[0].x)>;
     using vec = std::remove_reference_t<decltype(state.agaa_samplePosition[0])>;
     unsigned covered = 0;
@@ -121,8 +120,8 @@ TEST(MathSurfaces, FloatAgreesWithDouble) {
     Random random(23);
     int pixels = 0, different = 0;
     for (int round = 0; round < 4000; ++round) {
-        const auto pixel = randomPixel(random, 8u << random.below(3), 1 + random.below(6),
-                                       random.decades(0.01, 10), 0.0);
+        const auto pixel =
+            randomPixel(random, 8u << random.below(3), 1 + random.below(6), random.decades(0.01, 10), 0.0);
         math_f::Clustering f{};
         math_d::Clustering d{};
         const unsigned keptF = select(f, pixel, 4), keptD = select(d, pixel, 4);

@@ -84,9 +84,7 @@ inline double degreesBetween(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 57.29577951308232;
 }
 
-inline bool allFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+inline bool allFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Values at which formulas break: both zeros, denormals, around 1, the largest half, the ends.
 inline std::vector<float> extremeFloats() {
@@ -106,12 +104,8 @@ inline std::vector<float> extremeFloats() {
     return v;
 }
 
-inline float infinityF() {
-    return std::numeric_limits<float>::infinity();
-}
-inline float nanF() {
-    return std::numeric_limits<float>::quiet_NaN();
-}
+inline float infinityF() { return std::numeric_limits<float>::infinity(); }
+inline float nanF() { return std::numeric_limits<float>::quiet_NaN(); }
 
 } // namespace test_math
 

@@ -67,14 +67,19 @@ TEST(TriangleCoverage, FloatAgreesWithTheOracle) {
             Vertices t;
             for (glm::vec3& v : t)
                 v = vertex(at.x + size * random.range(-1, 1), at.y + size * random.range(-1, 1),
-                           i % 4 < 2 ? 1 : extreme ? random.decades(1e-6, 1e6) : random.decades(0.01, 1000));
+                           i % 4 < 2 ? 1
+                           : extreme ? random.decades(1e-6, 1e6)
+                                     : random.decades(0.01, 1000));
             // A point of an edge or of the inside.
             const double u = random.unit();
             const glm::dvec2 p(t[0].x / t[0].z, t[0].y / t[0].z), q(t[1].x / t[1].z, t[1].y / t[1].z);
             const glm::vec2 centre = pixelNear(random, glm::mix(p, q, u));
             const glm::uvec4 expected = oracleMask(t, centre, n), found = mask(t, centre, n);
             EXPECT_EQ(found, mask({t[2], t[1], t[0]}, centre, n));
-            (extreme ? far : i % 4 >= 2 ? spread : big ? large : small)
+            (extreme      ? far
+             : i % 4 >= 2 ? spread
+             : big        ? large
+                          : small)
                 .add(differingBits(expected, found), math_f::agaa_coverageCount(expected));
         }
     }

@@ -16,9 +16,7 @@ struct Expected {
 };
 
 // Otherwise GoogleTest prints the bytes, addresses among them.
-void PrintTo(const Expected& expected, std::ostream* out) {
-    *out << expected.name;
-}
+void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.name; }
 
 class BuiltinSceneTest : public testing::TestWithParam<Expected> {};
 
@@ -29,8 +27,7 @@ uint64_t hashOf(const void* data, size_t size, uint64_t hash) {
     return hash;
 }
 
-template <typename T>
-uint64_t hashOf(const std::vector<T>& list, uint64_t hash) {
+template <typename T> uint64_t hashOf(const std::vector<T>& list, uint64_t hash) {
     return hashOf(list.data(), list.size() * sizeof(T), hash);
 }
 
@@ -61,18 +58,15 @@ double thinShare(const Scene& scene, const Camera& camera) {
             bool inView = true;
             for (uint32_t c = 0; c < 3; ++c) {
                 const glm::vec3& position = cornerOf(scene, mesh, i + c).position;
-                const glm::dvec3 q =
-                    glm::dvec3(instance.transform * glm::dvec4(position, 1)) - camera.eye;
+                const glm::dvec3 q = glm::dvec3(instance.transform * glm::dvec4(position, 1)) - camera.eye;
                 const double depth = glm::dot(q, forward);
                 p[c] = scale / depth * glm::dvec2(glm::dot(q, right), glm::dot(q, up));
-                inView = inView && depth > 0.05 && std::abs(p[c].x) < width / 2 &&
-                         std::abs(p[c].y) < height / 2;
+                inView = inView && depth > 0.05 && std::abs(p[c].x) < width / 2 && std::abs(p[c].y) < height / 2;
             }
             if (!inView)
                 continue;
             const glm::dvec2 a = p[1] - p[0], b = p[2] - p[0];
-            const double longest =
-                std::max({glm::length(a), glm::length(b), glm::length(p[2] - p[1])});
+            const double longest = std::max({glm::length(a), glm::length(b), glm::length(p[2] - p[1])});
             seen += 1;
             thin += std::abs(a.x * b.y - a.y * b.x) < longest; // height below 1
         }
@@ -92,8 +86,7 @@ TEST_P(BuiltinSceneTest, IsWellFormed) {
 }
 
 TEST_P(BuiltinSceneTest, IsTheSameTwice) {
-    EXPECT_EQ(hashOf(*makeBuiltinScene(GetParam().name)),
-              hashOf(*makeBuiltinScene(GetParam().name)));
+    EXPECT_EQ(hashOf(*makeBuiltinScene(GetParam().name)), hashOf(*makeBuiltinScene(GetParam().name)));
 }
 
 TEST_P(BuiltinSceneTest, IsMadeInASecond) {
@@ -129,10 +122,8 @@ TEST_P(BuiltinSceneTest, CameraSeesThinGeometry) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinSceneTest,
-                         testing::Values(Expected{"bamboo", 150000, 200000},
-                                         Expected{"foliage", 100000, 150000},
-                                         Expected{"furball", 200000, 300000},
-                                         Expected{"metal", 100000, 150000},
+                         testing::Values(Expected{"bamboo", 150000, 200000}, Expected{"foliage", 100000, 150000},
+                                         Expected{"furball", 200000, 300000}, Expected{"metal", 100000, 150000},
                                          Expected{"city", 80000, 120000}),
                          [](const auto& info) { return std::string(info.param.name); });
 
@@ -189,9 +180,7 @@ TEST(BuiltinScenes, FoliageIsMaskedAndTheCityIsNormalMapped) {
         const Texture& texture = city.textures.at(size_t(material.normalTexture));
         EXPECT_FALSE(texture.srgb);
         for (size_t i = 0; i < texture.rgba.size(); i += 4) {
-            const glm::vec3 n =
-                glm::vec3(texture.rgba[i], texture.rgba[i + 1], texture.rgba[i + 2]) / 127.5f -
-                1.0f;
+            const glm::vec3 n = glm::vec3(texture.rgba[i], texture.rgba[i + 1], texture.rgba[i + 2]) / 127.5f - 1.0f;
             ASSERT_NEAR(glm::length(n), 1, 0.01);
             ASSERT_GT(n.z, 0);
         }

@@ -42,8 +42,7 @@ void expectUsableRig(const Scene& scene, const std::vector<Light>& lights, doubl
         EXPECT_LE(light.range, 0.401 * reach);
         // Irradiance at half the range with the window of the falloff, mean over the channels.
         const float mean = (light.color.r + light.color.g + light.color.b) / 3;
-        const float irradiance =
-            mean * (15.0f / 16) * (15.0f / 16) * 4 / (light.range * light.range);
+        const float irradiance = mean * (15.0f / 16) * (15.0f / 16) * 4 / (light.range * light.range);
         EXPECT_GT(irradiance, 0.3f);
         EXPECT_LT(irradiance, 0.6f);
     }
@@ -55,8 +54,7 @@ TEST(Bounds, CoverRotatedAndMirroredInstances) {
     Scene scene = sheet({0, 0, 0}, {1, 2, 0});
     scene.instances.push_back({0, glm::translate(glm::dmat4(1), glm::dvec3(1e6, 0, 0))});
     scene.instances.push_back({0, glm::scale(glm::dmat4(1), glm::dvec3(-3, 1, 1))});
-    scene.instances.push_back(
-        {0, glm::rotate(glm::dmat4(1), 1.5707963267948966, glm::dvec3(1, 0, 0))});
+    scene.instances.push_back({0, glm::rotate(glm::dmat4(1), 1.5707963267948966, glm::dvec3(1, 0, 0))});
     updateBounds(scene);
     EXPECT_EQ(scene.meshes[0].boundsMax, glm::vec3(1, 2, 0));
     EXPECT_DOUBLE_EQ(scene.boundsMin.x, -3);
@@ -96,8 +94,7 @@ TEST(Bounds, OfAnEmptySceneAreZero) {
 TEST(DefaultCamera, FramesFlatHugeAndTinyScenes) {
     for (const Scene& scene :
          {sheet({-1, 0, -1}, {1, 0, 1}), sheet({0, 0, 0}, {0, 7, 0}), sheet({5, 5, 5}, {6, 7, 8}),
-          sheet({-1e6f, -10, -1e6f}, {1e6f, 10, 1e6f}),
-          sheet({1e-5f, 0, 0}, {2e-5f, 1e-5f, 1e-5f})}) {
+          sheet({-1e6f, -10, -1e6f}, {1e6f, 10, 1e6f}), sheet({1e-5f, 0, 0}, {2e-5f, 1e-5f, 1e-5f})}) {
         const Camera camera = defaultCamera(scene);
         EXPECT_EQ(shareInView(scene, camera), 1.0);
         EXPECT_GT(camera.eye.y, camera.target.y);

@@ -17,8 +17,7 @@ class GltfFile {
 public:
     // Returns the accessor's index. Accessors begin at multiples of 4 bytes, as the format asks.
     template <typename T>
-    int add(const std::vector<T>& values, const std::string& type, int componentType,
-            bool normalized = false) {
+    int add(const std::vector<T>& values, const std::string& type, int componentType, bool normalized = false) {
         static const std::vector<std::pair<std::string, size_t>> types{
             {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
         size_t components = 0;
@@ -32,8 +31,8 @@ public:
                          std::to_string(values.size() * sizeof(T)) + "}");
         join(accessors_, R"({"bufferView":)" + std::to_string(count_) + R"(,"componentType":)" +
                              std::to_string(componentType) + R"(,"count":)" +
-                             std::to_string(values.size() / components) + R"(,"type":")" + type +
-                             R"(","normalized":)" + (normalized ? "true" : "false") + "}");
+                             std::to_string(values.size() / components) + R"(,"type":")" + type + R"(","normalized":)" +
+                             (normalized ? "true" : "false") + "}");
         return count_++;
     }
 
@@ -49,9 +48,8 @@ public:
     // `rest` is the file's other members, such as "nodes", without the outer braces.
     std::string json(const std::string& rest, const std::string& bufferUri) const {
         const std::string uri = bufferUri.empty() ? "" : R"("uri":")" + bufferUri + R"(",)";
-        return R"({"asset":{"version":"2.0"},"buffers":[{)" + uri + R"("byteLength":)" +
-               std::to_string(bytes.size()) + R"(}],"bufferViews":[)" + views_ +
-               R"(],"accessors":[)" + accessors_ + "]," + rest + "}";
+        return R"({"asset":{"version":"2.0"},"buffers":[{)" + uri + R"("byteLength":)" + std::to_string(bytes.size()) +
+               R"(}],"bufferViews":[)" + views_ + R"(],"accessors":[)" + accessors_ + "]," + rest + "}";
     }
 
     std::filesystem::path writeGltf(const std::string& stem, const std::string& rest) const {
@@ -73,23 +71,19 @@ public:
         file += "JSON" + text;
         append(file, uint32_t(data.size()));
         file += std::string("BIN\0", 4) + data;
-        const std::filesystem::path path =
-            std::filesystem::path(testing::TempDir()) / (stem + ".glb");
+        const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / (stem + ".glb");
         write(path, file);
         return path;
     }
 
     static void write(const std::filesystem::path& path, const std::string& content) {
-        std::ofstream(path, std::ios::binary)
-            .write(content.data(), std::streamsize(content.size()));
+        std::ofstream(path, std::ios::binary).write(content.data(), std::streamsize(content.size()));
     }
 
     std::vector<uint8_t> bytes;
 
 private:
-    static void join(std::string& list, const std::string& item) {
-        list += (list.empty() ? "" : ",") + item;
-    }
+    static void join(std::string& list, const std::string& item) { list += (list.empty() ? "" : ",") + item; }
     static void append(std::string& file, uint32_t value) {
         file.append(reinterpret_cast<const char*>(&value), sizeof value);
     }

@@ -13,13 +13,10 @@ namespace {
 // A unit square in the plane z = 0 facing +z, as a strip.
 const std::vector<float> kSquare{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
 
-std::string str(int n) {
-    return std::to_string(n);
-}
+std::string str(int n) { return std::to_string(n); }
 
 std::string oneNode(const std::string& primitive) {
-    return R"("meshes":[{"primitives":[{)" + primitive +
-           R"(}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])";
+    return R"("meshes":[{"primitives":[{)" + primitive + R"(}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])";
 }
 
 void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-6) {
@@ -52,8 +49,7 @@ double areaAboutZ(const Scene& scene, const Mesh& mesh) {
     for (uint32_t i = 0; i < mesh.indexCount; i += 3) {
         glm::vec3 p[3];
         for (uint32_t c = 0; c < 3; ++c)
-            p[c] =
-                scene.vertices[mesh.firstVertex + scene.indices[mesh.firstIndex + i + c]].position;
+            p[c] = scene.vertices[mesh.firstVertex + scene.indices[mesh.firstIndex + i + c]].position;
         area += 0.5 * glm::cross(p[1] - p[0], p[2] - p[0]).z;
     }
     return area;
@@ -63,18 +59,15 @@ double areaAboutZ(const Scene& scene, const Mesh& mesh) {
 
 TEST(Gltf, StripsFansListsAndAllIndexTypesGiveTheSameSquare) {
     GltfFile file;
-    const std::string position =
-        R"("attributes":{"POSITION":)" + str(file.add(kSquare, "VEC3", kFloat)) + "}";
+    const std::string position = R"("attributes":{"POSITION":)" + str(file.add(kSquare, "VEC3", kFloat)) + "}";
     const int bytes = file.add(std::vector<uint8_t>{0, 1, 2, 3}, "SCALAR", kByte);
     const int shorts = file.add(std::vector<uint16_t>{0, 1, 3, 2}, "SCALAR", kShort);
     const int ints = file.add(std::vector<uint32_t>{0, 1, 2, 2, 1, 3}, "SCALAR", kInt);
-    const std::string primitives = "{" + position + R"(,"mode":5},{)" + position +
-                                   R"(,"mode":5,"indices":)" + str(bytes) + "},{" + position +
-                                   R"(,"mode":6,"indices":)" + str(shorts) + "},{" + position +
-                                   R"(,"indices":)" + str(ints) + "}";
-    const Scene scene = loadGltf(
-        file.writeGlb("modes", R"("meshes":[{"primitives":[)" + primitives +
-                                   R"(]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])"));
+    const std::string primitives = "{" + position + R"(,"mode":5},{)" + position + R"(,"mode":5,"indices":)" +
+                                   str(bytes) + "},{" + position + R"(,"mode":6,"indices":)" + str(shorts) + "},{" +
+                                   position + R"(,"indices":)" + str(ints) + "}";
+    const Scene scene = loadGltf(file.writeGlb("modes", R"("meshes":[{"primitives":[)" + primitives +
+                                                            R"(]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])"));
     ASSERT_EQ(scene.meshes.size(), 4u);
     EXPECT_EQ(scene.placedTriangles(), 8u);
     for (const Mesh& mesh : scene.meshes) {
@@ -88,12 +81,10 @@ TEST(Gltf, StripsFansListsAndAllIndexTypesGiveTheSameSquare) {
 TEST(Gltf, GeneratedNormalsAreWeightedByArea) {
     // A large triangle facing +z and a small one facing +x share the vertices 0 and 2.
     GltfFile file;
-    const int position =
-        file.add(std::vector<float>{0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, -1}, "VEC3", kFloat);
+    const int position = file.add(std::vector<float>{0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, -1}, "VEC3", kFloat);
     const int indices = file.add(std::vector<uint8_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kByte);
-    const Scene scene =
-        loadGltf(file.writeGltf("normals", oneNode(R"("attributes":{"POSITION":)" + str(position) +
-                                                   R"(},"indices":)" + str(indices))));
+    const Scene scene = loadGltf(file.writeGltf(
+        "normals", oneNode(R"("attributes":{"POSITION":)" + str(position) + R"(},"indices":)" + str(indices))));
     const double length = std::sqrt(10.0);
     expectNear(scene.vertices[0].normal, {-1 / length, 0, 3 / length});
     expectNear(scene.vertices[1].normal, {0, 0, 1});
@@ -113,10 +104,8 @@ TEST(Gltf, NodesMultiplyAndShareMeshes) {
     ASSERT_EQ(scene.meshes.size(), 1u);
     ASSERT_EQ(scene.instances.size(), 2u);
     // A quarter turn about +y takes +x to -z.
-    expectNear(glm::dvec3(scene.instances[0].transform * glm::dvec4(1, 0, 0, 1)),
-               {1000000, 2, 3 - 2.5});
-    expectNear(glm::dvec3(scene.instances[1].transform * glm::dvec4(1, 1, 0, 1)),
-               {1000000, 4, 3 + 2});
+    expectNear(glm::dvec3(scene.instances[0].transform * glm::dvec4(1, 0, 0, 1)), {1000000, 2, 3 - 2.5});
+    expectNear(glm::dvec3(scene.instances[1].transform * glm::dvec4(1, 1, 0, 1)), {1000000, 4, 3 + 2});
     EXPECT_LT(glm::determinant(glm::dmat3(scene.instances[1].transform)), 0);
     expectNear(scene.boundsMin, {1000000, 2, 0.5}, 1e-5);
     expectNear(scene.boundsMax, {1000000, 4, 5}, 1e-5);
@@ -126,17 +115,14 @@ TEST(Gltf, ColoursAndTextureCoordinatesMayBeNormalisedIntegers) {
     GltfFile file;
     const int position = file.add(kSquare, "VEC3", kFloat);
     const int bytes =
-        file.add(std::vector<uint8_t>{255, 0, 51, 255, 1, 2, 3, 4, 0, 0, 0, 0, 9, 9, 9, 9}, "VEC4",
-                 kByte, true);
-    const int floats =
-        file.add(std::vector<float>{2, -1, 0.5f, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3", kFloat);
-    const int uv =
-        file.add(std::vector<uint16_t>{0, 65535, 65535, 0, 0, 0, 13107, 0}, "VEC2", kShort, true);
-    const std::string common = R"({"mode":5,"attributes":{"POSITION":)" + str(position) +
-                               R"(,"TEXCOORD_0":)" + str(uv) + R"(,"COLOR_0":)";
-    const Scene scene = loadGltf(file.writeGltf(
-        "colours", R"("meshes":[{"primitives":[)" + common + str(bytes) + "}}," + common +
-                       str(floats) + R"(}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])"));
+        file.add(std::vector<uint8_t>{255, 0, 51, 255, 1, 2, 3, 4, 0, 0, 0, 0, 9, 9, 9, 9}, "VEC4", kByte, true);
+    const int floats = file.add(std::vector<float>{2, -1, 0.5f, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3", kFloat);
+    const int uv = file.add(std::vector<uint16_t>{0, 65535, 65535, 0, 0, 0, 13107, 0}, "VEC2", kShort, true);
+    const std::string common =
+        R"({"mode":5,"attributes":{"POSITION":)" + str(position) + R"(,"TEXCOORD_0":)" + str(uv) + R"(,"COLOR_0":)";
+    const Scene scene =
+        loadGltf(file.writeGltf("colours", R"("meshes":[{"primitives":[)" + common + str(bytes) + "}}," + common +
+                                               str(floats) + R"(}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])"));
     EXPECT_EQ(scene.vertices[0].color, glm::u8vec4(255, 0, 51, 255));
     EXPECT_EQ(scene.vertices[1].color, glm::u8vec4(1, 2, 3, 4));
     EXPECT_EQ(scene.vertices[4].color, glm::u8vec4(255, 0, 128, 255)); // clamped, alpha 1
@@ -148,11 +134,10 @@ namespace {
 
 // A 1 x 2 PNG: red above transparent black.
 const std::vector<uint8_t> kPng{
-    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44,
-    0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x02, 0x08, 0x06, 0x00, 0x00, 0x00, 0x99,
-    0x81, 0xb6, 0x27, 0x00, 0x00, 0x00, 0x0f, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0xf8,
-    0xcf, 0xc0, 0x00, 0x44, 0x40, 0x00, 0x00, 0x0e, 0xfb, 0x01, 0xff, 0x07, 0xd2, 0x15, 0xed,
-    0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+    0x00, 0x01, 0x00, 0x00, 0x00, 0x02, 0x08, 0x06, 0x00, 0x00, 0x00, 0x99, 0x81, 0xb6, 0x27, 0x00, 0x00, 0x00,
+    0x0f, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0xf8, 0xcf, 0xc0, 0x00, 0x44, 0x40, 0x00, 0x00, 0x0e, 0xfb,
+    0x01, 0xff, 0x07, 0xd2, 0x15, 0xed, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 
 } // namespace
 
@@ -207,7 +192,8 @@ TEST(Gltf, InfiniteEmissionIsTheBrightest) {
             "bright", oneNode(R"("mode":5,"material":0,"attributes":{"POSITION":)" + str(p) + "}") +
                           R"(,"extensionsUsed":["KHR_materials_emissive_strength"],"materials":[{)"
                           R"("emissiveFactor":[1,0.5,0],"extensions":{"KHR_materials_emissive_strength":)"
-                          R"({"emissiveStrength":)" + strength + "}}}]"));
+                          R"({"emissiveStrength":)" +
+                          strength + "}}}]"));
         EXPECT_EQ(scene.materials[0].emissive, glm::vec3(65504, 32752, 0)) << strength;
     }
 }
@@ -221,20 +207,18 @@ TEST(Gltf, TangentsAreGeneratedForNormalMaps) {
     std::string primitives;
     for (const auto& uv : uvs)
         primitives += std::string(primitives.empty() ? "" : ",") +
-                      R"({"mode":5,"material":0,"attributes":{"POSITION":)" + str(position) +
-                      R"(,"TEXCOORD_0":)" + str(file.add(uv, "VEC2", kFloat)) + "}}";
+                      R"({"mode":5,"material":0,"attributes":{"POSITION":)" + str(position) + R"(,"TEXCOORD_0":)" +
+                      str(file.add(uv, "VEC2", kFloat)) + "}}";
     // A file's own tangents: not unit, not across the normal, none at all.
-    const int own = file.add(std::vector<float>{2, 0, 2, -1, 0, 3, 0, 1, 0, 0, 0, 1, 0, 0, 5, 1},
-                             "VEC4", kFloat);
-    primitives += R"(,{"mode":5,"material":0,"attributes":{"POSITION":)" + str(position) +
-                  R"(,"TANGENT":)" + str(own) + "}}";
+    const int own = file.add(std::vector<float>{2, 0, 2, -1, 0, 3, 0, 1, 0, 0, 0, 1, 0, 0, 5, 1}, "VEC4", kFloat);
+    primitives +=
+        R"(,{"mode":5,"material":0,"attributes":{"POSITION":)" + str(position) + R"(,"TANGENT":)" + str(own) + "}}";
     const int image = file.addView(kPng);
     const Scene scene = loadGltf(file.writeGlb(
         "tangents",
         R"("meshes":[{"primitives":[)" + primitives +
             R"(]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"images":[{"mimeType":"image/png","bufferView":)" +
-            str(image) +
-            R"(}],"textures":[{"source":0}],"materials":[{"normalTexture":{"index":0}}])"));
+            str(image) + R"(}],"textures":[{"source":0}],"materials":[{"normalTexture":{"index":0}}])"));
     for (size_t i = 0; i < scene.vertices.size(); ++i) {
         const Vertex& v = scene.vertices[i];
         EXPECT_NEAR(glm::length(glm::vec3(v.tangent)), 1, 1e-6) << i;
@@ -299,9 +283,9 @@ TEST(Gltf, DeeplyNestedNodesDoNotExhaustTheStack) {
     std::string nodes;
     for (int i = 0; i + 1 < depth; ++i)
         nodes += R"({"children":[)" + str(i + 1) + "]},";
-    const Scene scene = loadGltf(file.writeGltf(
-        "deep", R"("meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":)" + str(position) +
-                    R"(}}]}],"nodes":[)" + nodes + R"({"mesh":0}],"scenes":[{"nodes":[0]}])"));
+    const Scene scene = loadGltf(
+        file.writeGltf("deep", R"("meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":)" + str(position) +
+                                   R"(}}]}],"nodes":[)" + nodes + R"({"mesh":0}],"scenes":[{"nodes":[0]}])"));
     EXPECT_EQ(scene.instances.size(), 1u);
 }
 
@@ -316,9 +300,8 @@ TEST(GltfErrors, MissingOrMalformedFile) {
     expectError(folder / "noscene.gltf", "no scene");
     GltfFile::write(folder / "short.glb", std::string("glTF\2\0\0\0\xff\xff\0\0", 12));
     expectError(folder / "short.glb", "not a readable glTF file");
-    GltfFile::write(
-        folder / "nobuffer.gltf",
-        R"({"asset":{"version":"2.0"},"buffers":[{"uri":"absent.bin","byteLength":8}]})");
+    GltfFile::write(folder / "nobuffer.gltf",
+                    R"({"asset":{"version":"2.0"},"buffers":[{"uri":"absent.bin","byteLength":8}]})");
     expectError(folder / "nobuffer.gltf", "absent.bin");
 }
 
@@ -332,36 +315,28 @@ TEST(GltfErrors, IndicesOutOfRange) {
     expectError(load(oneNode(attributes + R"(,"indices":)" + str(indices))), "beyond the vertices");
     expectError(load(oneNode(attributes + R"(,"mode":5,"material":3)")), "material");
     expectError(load(oneNode(R"("attributes":{"POSITION":99})")), "accessors");
-    expectError(load(oneNode(R"("mode":5,"attributes":{"POSITION":)" + str(position) +
-                             R"(,"TEXCOORD_0":)" + str(uv) + "}")),
-                "TEXCOORD_0");
+    expectError(
+        load(oneNode(R"("mode":5,"attributes":{"POSITION":)" + str(position) + R"(,"TEXCOORD_0":)" + str(uv) + "}")),
+        "TEXCOORD_0");
     expectError(load(oneNode(R"("mode":5,"attributes":{"POSITION":)" + str(uv) + "}")), "POSITION");
     expectError(load(R"("nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])"), "meshes");
     expectError(load(R"("nodes":[{}],"scenes":[{"nodes":[1]}])"), "nodes");
     expectError(load(R"("nodes":[{"children":[0]}],"scenes":[{"nodes":[0]}])"), "tree");
     expectError(load(R"("nodes":[{}],"scenes":[{"nodes":[0]}],"scene":2)"), "scenes");
-    expectError(
-        load(
-            R"("nodes":[{}],"scenes":[{"nodes":[0]}],"materials":[{"emissiveTexture":{"index":0}}])"),
-        "textures");
-    expectError(
-        load(
-            R"("extensionsRequired":["KHR_draco_mesh_compression"],"nodes":[{}],"scenes":[{"nodes":[0]}])"),
-        "KHR_draco_mesh_compression");
+    expectError(load(R"("nodes":[{}],"scenes":[{"nodes":[0]}],"materials":[{"emissiveTexture":{"index":0}}])"),
+                "textures");
+    expectError(load(R"("extensionsRequired":["KHR_draco_mesh_compression"],"nodes":[{}],"scenes":[{"nodes":[0]}])"),
+                "KHR_draco_mesh_compression");
 }
 
 TEST(GltfErrors, DataBeyondTheBuffer) {
     const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "beyond.gltf";
-    GltfFile::write(std::filesystem::path(testing::TempDir()) / "beyond.bin",
-                    std::string(64, '\0'));
-    const auto write = [&](const std::string& view, const std::string& accessor,
-                           const std::string& rest) {
-        GltfFile::write(
-            path, R"({"asset":{"version":"2.0"},"buffers":[{"uri":"beyond.bin","byteLength":64}],)"
-                  R"("bufferViews":[{"buffer":0,)" +
-                      view +
-                      R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3",)" +
-                      accessor + "}]," + rest + "}");
+    GltfFile::write(std::filesystem::path(testing::TempDir()) / "beyond.bin", std::string(64, '\0'));
+    const auto write = [&](const std::string& view, const std::string& accessor, const std::string& rest) {
+        GltfFile::write(path, R"({"asset":{"version":"2.0"},"buffers":[{"uri":"beyond.bin","byteLength":64}],)"
+                              R"("bufferViews":[{"buffer":0,)" +
+                                  view + R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3",)" +
+                                  accessor + "}]," + rest + "}");
         return path;
     };
     const std::string square = oneNode(R"("attributes":{"POSITION":0})");

@@ -10,8 +10,7 @@
 
 namespace scene_test {
 
-inline const harness::Vertex& cornerOf(const harness::Scene& scene, const harness::Mesh& mesh,
-                                       uint32_t i) {
+inline const harness::Vertex& cornerOf(const harness::Scene& scene, const harness::Mesh& mesh, uint32_t i) {
     return scene.vertices[mesh.firstVertex + scene.indices[mesh.firstIndex + i]];
 }
 
@@ -43,8 +42,8 @@ inline void expectWellFormed(const harness::Scene& scene, bool checkTangents = t
         ASSERT_TRUE(std::isfinite(determinant));
     }
     for (const Material& material : scene.materials)
-        for (const int texture : {material.baseColorTexture, material.normalTexture,
-                                  material.metalRoughTexture, material.emissiveTexture})
+        for (const int texture :
+             {material.baseColorTexture, material.normalTexture, material.metalRoughTexture, material.emissiveTexture})
             ASSERT_LT(texture, int(scene.textures.size()));
     for (const Texture& texture : scene.textures)
         ASSERT_EQ(texture.rgba.size(), size_t(4) * texture.width * texture.height);
@@ -53,8 +52,7 @@ inline void expectWellFormed(const harness::Scene& scene, bool checkTangents = t
 }
 
 inline bool inside(const harness::Scene& scene, const glm::dvec3& p) {
-    return glm::all(glm::lessThanEqual(scene.boundsMin, p)) &&
-           glm::all(glm::lessThanEqual(p, scene.boundsMax));
+    return glm::all(glm::lessThanEqual(scene.boundsMin, p)) && glm::all(glm::lessThanEqual(p, scene.boundsMax));
 }
 
 // Share of the placed triangles' first corners that lie in a 16:9 view.
@@ -69,8 +67,7 @@ inline double shareInView(const harness::Scene& scene, const harness::Camera& ca
         const Mesh& mesh = scene.meshes[instance.mesh];
         for (uint32_t i = 0; i < mesh.indexCount; i += 3) {
             const glm::vec3& position = cornerOf(scene, mesh, i).position;
-            const glm::dvec3 q =
-                glm::dvec3(instance.transform * glm::dvec4(position, 1)) - camera.eye;
+            const glm::dvec3 q = glm::dvec3(instance.transform * glm::dvec4(position, 1)) - camera.eye;
             const double depth = glm::dot(q, forward);
             seen += depth > 0 && std::abs(glm::dot(q, up)) < tangent * depth &&
                     std::abs(glm::dot(q, right)) < tangent * depth * 16 / 9;

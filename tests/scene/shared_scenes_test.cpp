@@ -20,14 +20,11 @@ struct SharedScene {
 };
 
 // Otherwise GoogleTest prints the bytes, addresses among them.
-void PrintTo(const SharedScene& scene, std::ostream* out) {
-    *out << scene.name;
-}
+void PrintTo(const SharedScene& scene, std::ostream* out) { *out << scene.name; }
 
 std::filesystem::path folder() {
     const char* named = std::getenv("AGAA_SCENES");
-    return named ? std::filesystem::path(named)
-                 : std::filesystem::path(AGAA_SOURCE_DIR) / ".." / "shared" / "scenes";
+    return named ? std::filesystem::path(named) : std::filesystem::path(AGAA_SOURCE_DIR) / ".." / "shared" / "scenes";
 }
 
 class SharedSceneTest : public testing::TestWithParam<SharedScene> {
@@ -63,20 +60,18 @@ TEST_P(SharedSceneTest, Loads) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenes, SharedSceneTest,
-    testing::Values(SharedScene{"stk_gran_paradiso", 388222, {1058.7, 241.7, 2166.0}},
-                    SharedScene{"stk_ravenbridge_mansion", 275620, {1079.2, 701.3, 1233.6}},
-                    SharedScene{"fg_carrier", 99099, {335.7, 68.2, 86.7}},
-                    SharedScene{"sh3d_foliage", 1463493, {16.7, 12.0, 11.5}},
-                    SharedScene{"khronos_flight_helmet", 94722, {0.36, 0.67, 0.36}}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Scenes, SharedSceneTest,
+                         testing::Values(SharedScene{"stk_gran_paradiso", 388222, {1058.7, 241.7, 2166.0}},
+                                         SharedScene{"stk_ravenbridge_mansion", 275620, {1079.2, 701.3, 1233.6}},
+                                         SharedScene{"fg_carrier", 99099, {335.7, 68.2, 86.7}},
+                                         SharedScene{"sh3d_foliage", 1463493, {16.7, 12.0, 11.5}},
+                                         SharedScene{"khronos_flight_helmet", 94722, {0.36, 0.67, 0.36}}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 // The Khronos model brings tangents: those made from its texture coordinates have to agree, the
 // handedness above all, or bumps become dents.
 TEST(SharedScenes, GeneratedTangentsAgreeWithTheFilesOwn) {
-    const std::filesystem::path path =
-        folder() / "khronos_flight_helmet" / "khronos_flight_helmet.glb";
+    const std::filesystem::path path = folder() / "khronos_flight_helmet" / "khronos_flight_helmet.glb";
     if (!std::filesystem::exists(path))
         GTEST_SKIP() << path << " is not there; AGAA_SCENES names the folder of scenes";
     const Scene scene = loadGltf(path);

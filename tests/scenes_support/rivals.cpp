@@ -31,8 +31,8 @@ public:
         expectWholeFrame(result, settings_.config.samples);
         const Metrics m = compareImages(reference_.image, result.image);
         const Rival rival{m.mseTm / single_, m.flipP95, result.statistics.back().counters};
-        std::printf("%-10s %-14s %u: error %.4f of single's, FLIP p95 %.4f, %.2f events a pixel\n", name_,
-                    technique, aggregates, rival.error, rival.flip95,
+        std::printf("%-10s %-14s %u: error %.4f of single's, FLIP p95 %.4f, %.2f events a pixel\n", name_, technique,
+                    aggregates, rival.error, rival.flip95,
                     double(rival.counters.shadingEvents) / double(rival.counters.shadedPixels));
         return rival;
     }

@@ -64,14 +64,11 @@ void expectSharedScenes() {
                      << " of 5 shared scenes are in $AGAA_SCENES or ../shared/scenes";
 }
 
-RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width,
-                           uint32_t height) {
+RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width, uint32_t height) {
     RenderSettings settings;
     settings.width = width;
     settings.height = height;
-    settings.camera = test.hasCamera             ? test.camera
-                      : !scene.cameras.empty() ? scene.cameras[0]
-                                               : defaultCamera(scene);
+    settings.camera = test.hasCamera ? test.camera : !scene.cameras.empty() ? scene.cameras[0] : defaultCamera(scene);
     settings.lights = scene.lights.empty() ? defaultLights(scene, settings.camera) : scene.lights;
     settings.facts = sceneFacts(scene, settings.lights);
     settings.config.flags = AGAA_CONFIG_COUNTERS;
@@ -83,8 +80,8 @@ Difference differenceOf(const Image& a, const Image& b) {
     for (size_t i = 0; i < a.pixelCount(); ++i) {
         d.pixels += std::memcmp(&a.rgb[3 * i], &b.rgb[3 * i], 3 * sizeof(float)) != 0;
         for (size_t c = 0; c < 3; ++c)
-            d.largest = std::max(d.largest, std::fabs(toneMap(double(a.rgb[3 * i + c])) -
-                                                      toneMap(double(b.rgb[3 * i + c]))));
+            d.largest =
+                std::max(d.largest, std::fabs(toneMap(double(a.rgb[3 * i + c])) - toneMap(double(b.rgb[3 * i + c]))));
     }
     return d;
 }
@@ -113,8 +110,7 @@ double shareAbove(const Image& a, const Image& b, double bound) {
     for (size_t i = 0; i < a.pixelCount(); ++i) {
         double largest = 0;
         for (size_t c = 3 * i; c < 3 * i + 3; ++c)
-            largest = std::max(largest,
-                               std::fabs(toneMap(double(a.rgb[c])) - toneMap(double(b.rgb[c]))));
+            largest = std::max(largest, std::fabs(toneMap(double(a.rgb[c])) - toneMap(double(b.rgb[c]))));
         pixels += largest > bound;
     }
     return double(pixels) / double(a.pixelCount());
@@ -159,7 +155,8 @@ void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings) {
 void expectExpansionsAgree(Renderer& geometry, Renderer& pulling, RenderSettings settings) {
     settings.config.samples = 64;
     settings.config.coverage.fragmentsPerPixel = 64;
-    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS},
+                                          {"dcaa", AGAA_TIER_MATERIAL_LISTS},
                                           {"agaa", AGAA_TIER_FRAGMENTS}})
         for (const bool reversedZ : {false, true}) {
             SCOPED_TRACE(std::string(agaaTierName(tier)) + (reversedZ ? ", reversed" : ""));
@@ -205,8 +202,8 @@ void expectWaysAgree(Renderer& renderer, RenderSettings settings, const char* na
         const double mean = meanDifference(image, result.image);
         const double psnr = -10 * std::log10(compareImages(image, result.image).mseTm);
         const double far = shareAbove(image, result.image, 24.0 / 255);
-        std::printf("%-10s %-32s mean difference %.3f/255, PSNR %.1f dB, above 24/255 %.3f %%\n", name, what, 255 * mean,
-                    psnr, 100 * far);
+        std::printf("%-10s %-32s mean difference %.3f/255, PSNR %.1f dB, above 24/255 %.3f %%\n", name, what,
+                    255 * mean, psnr, 100 * far);
         EXPECT_LT(mean, mostMean / 255) << what;
         EXPECT_LE(far, mostFar) << what;
     };

@@ -24,8 +24,7 @@ std::vector<TestScene> allTestScenes();
 void expectSharedScenes();
 
 // 17 lights, the scene's facts, counters on.
-RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width,
-                           uint32_t height);
+RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width, uint32_t height);
 
 // Pixels that differ in any bit, and the largest difference after tone mapping.
 struct Difference {
@@ -33,8 +32,8 @@ struct Difference {
     double largest = 0;
 };
 Difference differenceOf(const Image& a, const Image& b);
-// Expects images of two programs to be equal: bit by bit on software rasterisers, which contract no sums. On other devices a
-// rounding may move an edge across a sample in a few pixels.
+// Expects images of two programs to be equal: bit by bit on software rasterisers, which contract no sums. On other
+// devices a rounding may move an edge across a sample in a few pixels.
 void expectSameBySamples(const Image& got, const Image& expected, const Renderer& renderer);
 bool isSoftware(const Renderer& renderer);
 // After tone mapping, so that no highlight speaks for the image.
@@ -53,8 +52,8 @@ void expectImagesRepeat(Renderer& renderer, RenderSettings settings);
 // Of techniques that draw once, into a G-buffer: each fragment is evaluated at a place that does not depend on what was
 // drawn before. For scenes without equal depths.
 void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings);
-// Bit by bit, of each tier with coverage samples and in both depth conventions: vertex shaders that expand triangles, beside
-// geometry shaders. pulling: may have no geometry shaders. Both have loaded the scene.
+// Bit by bit, of each tier with coverage samples and in both depth conventions: vertex shaders that expand triangles,
+// beside geometry shaders. pulling: may have no geometry shaders. Both have loaded the scene.
 void expectExpansionsAgree(Renderer& geometry, Renderer& pulling, RenderSettings settings);
 // The generation tiers' images, within a stated mean difference; prints it under the scene's name.
 void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name);

@@ -1,4 +1,5 @@
-// "adaptive" against supersampling with the same samples, and what its options promise. Each graphics API instantiates these.
+// "adaptive" against supersampling with the same samples, and what its options promise. Each graphics API instantiates
+// these.
 #pragma once
 
 #include "hard_case_test.h"
@@ -21,18 +22,19 @@ inline ViewSettings adaptiveSettings(uint32_t n, uint64_t flags = AGAA_ADAPTIVE_
 }
 
 inline Shot adaptiveShot(uint32_t seed = 61) {
-    return {.triangles = randomTriangles({.triangles = 150, .duplicates = 0.1f, .masked = 0.2f}, seed), .change = addAmbient};
+    return {.triangles = randomTriangles({.triangles = 150, .duplicates = 0.1f, .masked = 0.2f}, seed),
+            .change = addAmbient};
 }
 
-template <class Host>
-class AdaptiveCases : public testing::Test {
+template <class Host> class AdaptiveCases : public testing::Test {
 protected:
     Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
 
     static double largestDifference(const Shown& a, const Shown& b) {
         double largest = 0;
         for (size_t i = 0; i < a.rgb.size(); ++i)
-            largest = std::max(largest, std::abs(double(a.rgb[i]) - double(b.rgb[i])) / (1 + std::abs(double(b.rgb[i]))));
+            largest =
+                std::max(largest, std::abs(double(a.rgb[i]) - double(b.rgb[i])) / (1 + std::abs(double(b.rgb[i]))));
         return largest;
     }
 
@@ -135,8 +137,8 @@ TYPED_TEST_P(AdaptiveCases, HardCase15OnePlaneIsShadedOnce) {
         }
 }
 
-// Hard case 43: one pixel brighter than all that is displayed raises the numbers of at most five. Columns of a third of a pixel
-// differ by less than the threshold, so that there is something for the lights to show differently.
+// Hard case 43: one pixel brighter than all that is displayed raises the numbers of at most five. Columns of a third of
+// a pixel differ by less than the threshold, so that there is something for the lights to show differently.
 TYPED_TEST_P(AdaptiveCases, HardCase43ABrightPixelStaysAlone) {
     for (const uint64_t flags : {AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC, AGAA_ADAPTIVE_SHADING}) {
         std::vector<Triangle> scene;
@@ -183,10 +185,12 @@ TYPED_TEST_P(AdaptiveCases, TargetsAreKeptAndUsed) {
                 }
                 before = events;
             }
-            std::printf("seed %u: %.2f events per pixel are demanded, %.2f are the most that a target gave\n", seed, demand, before);
+            std::printf("seed %u: %.2f events per pixel are demanded, %.2f are the most that a target gave\n", seed,
+                        demand, before);
             ViewSettings settings = adaptiveSettings(9, metrics);
             settings.config.adaptive.targetEvents = 1.5f;
-            const Shown first = this->render(settings, adaptiveShot(seed)), second = this->render(settings, adaptiveShot(seed));
+            const Shown first = this->render(settings, adaptiveShot(seed)),
+                        second = this->render(settings, adaptiveShot(seed));
             EXPECT_EQ(this->largestDifference(first, second), 0);
         }
 }
@@ -202,7 +206,8 @@ TYPED_TEST_P(AdaptiveCases, ThePapersMethodIsAMeanOfSamples) {
     const Shown usual = this->render(settings, adaptiveShot());
     EXPECT_LT(usual.counters.shadingEvents, full.counters.shadingEvents);
     EXPECT_GE(compare(usual.rgb, full.rgb).psnr, 25);
-    settings.config.adaptive.normalScale = settings.config.adaptive.shadingScale = 1e6f; // all samples of pixels with edges
+    settings.config.adaptive.normalScale = settings.config.adaptive.shadingScale =
+        1e6f; // all samples of pixels with edges
     settings.config.adaptive.depthScale = 1e12f;
     settings.config.adaptive.shadingThreshold = settings.config.adaptive.shadingMinimum = 0;
     EXPECT_GE(compare(this->render(settings, adaptiveShot()).rgb, full.rgb).psnr, 45);
@@ -225,8 +230,9 @@ TYPED_TEST_P(AdaptiveCases, ExtremeScalesStayFinite) {
 
 TYPED_TEST_P(AdaptiveCases, EventsAreShownWhateverTheOptions) {
     constexpr uint64_t both = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
-    for (const uint64_t flags : {uint64_t(0), AGAA_ADAPTIVE_SHADING, both | AGAA_ADAPTIVE_PRINTED_METRIC, both | AGAA_ADAPTIVE_SORTED,
-                                 both | AGAA_ADAPTIVE_TILE_MAXIMUM, both | AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_LOOP}) {
+    for (const uint64_t flags :
+         {uint64_t(0), AGAA_ADAPTIVE_SHADING, both | AGAA_ADAPTIVE_PRINTED_METRIC, both | AGAA_ADAPTIVE_SORTED,
+          both | AGAA_ADAPTIVE_TILE_MAXIMUM, both | AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_LOOP}) {
         ViewSettings settings = adaptiveSettings(9, flags);
         settings.config.measurement.debugView = AGAA_DEBUG_VIEW_EVENTS;
         const Shown shown = this->render(settings, adaptiveShot());
@@ -238,8 +244,8 @@ TYPED_TEST_P(AdaptiveCases, EventsAreShownWhateverTheOptions) {
     }
 }
 
-// A busy scene, then one plane: with a memory of a half, numbers of samples fall to one within four frames, and no colour of an
-// earlier frame is visible.
+// A busy scene, then one plane: with a memory of a half, numbers of samples fall to one within four frames, and no
+// colour of an earlier frame is visible.
 TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
     std::vector<std::vector<float>> images;
     for (const float memory : {0.0f, 0.5f}) {
@@ -281,10 +287,9 @@ TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
         ASSERT_NEAR(images[1][i], images[0][i], 1e-3f) << i;
 }
 
-REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem, ByIdsItIsTheSame,
-                            WaysToShadeGiveOneImage,
-                            HardCase15OnePlaneIsShadedOnce, HardCase43ABrightPixelStaysAlone, TargetsAreKeptAndUsed,
-                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite,
-                            EventsAreShownWhateverTheOptions, RememberedNumbersDecay);
+REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem,
+                            ByIdsItIsTheSame, WaysToShadeGiveOneImage, HardCase15OnePlaneIsShadedOnce,
+                            HardCase43ABrightPixelStaysAlone, TargetsAreKeptAndUsed, ThePapersMethodIsAMeanOfSamples,
+                            ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions, RememberedNumbersDecay);
 
 } // namespace agaa::test

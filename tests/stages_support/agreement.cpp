@@ -7,31 +7,29 @@
 
 namespace agaa::test {
 
-bool isInOrder(const AgaaDeviceCaps& caps) {
-    return caps.flags & AGAA_DEVICE_SOFTWARE;
-}
+bool isInOrder(const AgaaDeviceCaps& caps) { return caps.flags & AGAA_DEVICE_SOFTWARE; }
 
-void expectSameImage(std::span<const float> got, std::span<const float> expected, const AgaaDeviceCaps& caps, float rounding) {
+void expectSameImage(std::span<const float> got, std::span<const float> expected, const AgaaDeviceCaps& caps,
+                     float rounding) {
     ASSERT_EQ(got.size(), expected.size());
     const double bound = isInOrder(caps) ? 0 : double(rounding);
     size_t wrong = 0, first = 0;
     double largest = 0;
     for (size_t i = 0; i < got.size(); ++i) {
-        const double difference = std::fabs(double(got[i]) - double(expected[i])) / (1 + std::fabs(double(expected[i])));
+        const double difference =
+            std::fabs(double(got[i]) - double(expected[i])) / (1 + std::fabs(double(expected[i])));
         if (difference <= bound)
             continue;
         first = wrong++ ? first : i; // also of what is no number
         largest = std::fmax(largest, difference);
     }
-    EXPECT_EQ(wrong, 0u) << "of " << got.size() << " values, by " << largest << "; first " << got[first] << " in place of "
-                         << expected[first] << ", at " << first;
+    EXPECT_EQ(wrong, 0u) << "of " << got.size() << " values, by " << largest << "; first " << got[first]
+                         << " in place of " << expected[first] << ", at " << first;
 }
 
 namespace {
 
-bool isAt(const Triangle& a, const Triangle& b) {
-    return std::equal(a.position, a.position + 3, b.position);
-}
+bool isAt(const Triangle& a, const Triangle& b) { return std::equal(a.position, a.position + 3, b.position); }
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// Fragments of decoupled coverage that carry their materials, beside those whose materials are fetched. Each graphics API
-// instantiates these.
+// Fragments of decoupled coverage that carry their materials, beside those whose materials are fetched. Each graphics
+// API instantiates these.
 #pragma once
 
 #include "agreement.h"
@@ -15,8 +15,7 @@ inline ViewSettings carriedSettings(uint32_t samples = 64, uint32_t surfaces = 4
     return dcaaSettings(samples, surfaces, AGAA_TIER_MATERIAL_LISTS);
 }
 
-template <class Host>
-class CarriedCases : public testing::Test {
+template <class Host> class CarriedCases : public testing::Test {
 protected:
     Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
     Kept keep(const ViewSettings& settings, const Shot& shot) { return keepFrame<Host>(context, settings, shot); }
@@ -29,10 +28,13 @@ TYPED_TEST_SUITE_P(CarriedCases);
 TYPED_TEST_P(CarriedCases, MergesAsFetchedFragments) {
     for (const auto& [samples, isTangle] : {std::pair{64u, true}, {64u, false}, {32u, false}, {128u, true}}) {
         SCOPED_TRACE(std::to_string(samples) + (isTangle ? " tangle" : " random"));
-        const Shot shot{.triangles = isTangle ? tangle(300) : randomTriangles({.triangles = 150}, 61), .change = addAmbient};
-        const Kept fetched = this->keep(dcaaSettings(samples), shot), carried = this->keep(carriedSettings(samples), shot);
+        const Shot shot{.triangles = isTangle ? tangle(300) : randomTriangles({.triangles = 150}, 61),
+                        .change = addAmbient};
+        const Kept fetched = this->keep(dcaaSettings(samples), shot),
+                   carried = this->keep(carriedSettings(samples), shot);
         for (size_t p = 0; p < fetched.pixels.size(); ++p) {
-            if (isInOrder(this->context.caps())) { // merging puts other lists in order, and some fragments before the first
+            if (isInOrder(
+                    this->context.caps())) { // merging puts other lists in order, and some fragments before the first
                 ASSERT_EQ(carried.lists[p].size(), fetched.lists[p].size()) << p;
             }
             expectSame(carried.pixels[p], fetched.pixels[p], p, isInOrder(this->context.caps()) ? 1e-9f : roundedStep);
@@ -64,8 +66,9 @@ TYPED_TEST_P(CarriedCases, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered) {
     std::printf("PSNR %.1f dB\n", d.psnr);
     EXPECT_GT(d.psnr, isInOrder(this->context.caps()) ? 90 : 75) << "78.0 on an NVIDIA H200";
     // A cut-out's samples are on one side of the pixel, and so is their middle.
-    carried.surface = "s.alphaCutoff = 0.5; s.hasAlphaNear = true; s.alphaNear = vec4(-1.0, 1.0, -1.0, 1.0) * 0.4 + 0.5; "
-                      "s.emissive = vec3(agaa_coveredMiddle(s), 0.0); s.diffuse = s.specular = vec3(0.0);";
+    carried.surface =
+        "s.alphaCutoff = 0.5; s.hasAlphaNear = true; s.alphaNear = vec4(-1.0, 1.0, -1.0, 1.0) * 0.4 + 0.5; "
+        "s.emissive = vec3(agaa_coveredMiddle(s), 0.0); s.diffuse = s.specular = vec3(0.0);";
     carried.projection = pixelOrthographic(48, 32, 10);
     Shot cutOut{.triangles = rectangle(4, 4, 40, 28, 5, {})};
     for (Triangle& t : cutOut.triangles)
@@ -92,8 +95,8 @@ TYPED_TEST_P(CarriedCases, CurvedPrimitivesWidenLobes) {
     EXPECT_LT(compare(curved.rgb, flat.rgb).psnr, 60);
 }
 
-// Normals spread along one direction more than across it: the same by fragments that carry it, up to its rounding, and by
-// those whose materials are fetched; merged and exact.
+// Normals spread along one direction more than across it: the same by fragments that carry it, up to its rounding, and
+// by those whose materials are fetched; merged and exact.
 TYPED_TEST_P(CarriedCases, LobesWidenInEachDirection) {
     Shot shot{.triangles = randomTriangles({.triangles = 60}, 5), .change = addAmbient};
     for (Triangle& t : shot.triangles)
@@ -120,8 +123,8 @@ TYPED_TEST_P(CarriedCases, LobesWidenInEachDirection) {
         }
 }
 
-// Two normals of a pixel end in one surface: what memory keeps of them is what all samples' normals say. The larger share comes
-// first, and last, so that either one takes the other.
+// Two normals of a pixel end in one surface: what memory keeps of them is what all samples' normals say. The larger
+// share comes first, and last, so that either one takes the other.
 TYPED_TEST_P(CarriedCases, SpreadsAreThoseOfTheNormalsThatMerged) {
     const glm::vec3 a = glm::normalize(glm::vec3(0.4f, 0.1f, 1)), b = glm::normalize(glm::vec3(-0.2f, 0.3f, 1));
     for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS})
@@ -159,8 +162,8 @@ TYPED_TEST_P(CarriedCases, SpreadsAreThoseOfTheNormalsThatMerged) {
         }
 }
 
-// The numbers that the host gives decide the order, and where they are the same, what fragments carry: the order of the draws
-// does not.
+// The numbers that the host gives decide the order, and where they are the same, what fragments carry: the order of the
+// draws does not.
 TYPED_TEST_P(CarriedCases, NumbersThenContentDecideTheOrder) {
     Shot shot{.triangles = tangle(400), .change = addAmbient}, reversed = shot;
     std::reverse(reversed.triangles.begin(), reversed.triangles.end());
@@ -214,7 +217,9 @@ TYPED_TEST_P(CarriedCases, BatchesAreForFragmentsInLists) {
     EXPECT_EQ(several.counters.sanitised, several.counters.fragments);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(CarriedCases, BatchesAreForFragmentsInLists, MergesAsFetchedFragments, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered,
-                            CurvedPrimitivesWidenLobes, LobesWidenInEachDirection, SpreadsAreThoseOfTheNormalsThatMerged, NumbersThenContentDecideTheOrder, WhatIsNotFiniteIsReplaced);
+REGISTER_TYPED_TEST_SUITE_P(CarriedCases, BatchesAreForFragmentsInLists, MergesAsFetchedFragments,
+                            MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered, CurvedPrimitivesWidenLobes,
+                            LobesWidenInEachDirection, SpreadsAreThoseOfTheNormalsThatMerged,
+                            NumbersThenContentDecideTheOrder, WhatIsNotFiniteIsReplaced);
 
 } // namespace agaa::test

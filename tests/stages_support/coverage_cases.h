@@ -18,44 +18,43 @@ struct CoverageSetting {
     uint32_t tier = AGAA_TIER_AUTO;
     uint64_t flags = 0; // of AgaaConfig
 };
-constexpr CoverageSetting coverageSettings[] = {
-    {"single", 1},
-    {"msaa", 4},
-    {"msaa", 8},
-    {"msaa", 32},
-    {"ssaa", 1},
-    {"ssaa", 2},
-    {"ssaa", 4},
-    {"ssaa", 8},
-    {"ssaa", 16},
-    {"ssaa", 32},
-    {"ssaa", 9},
-    {"msaa", 9},
-    {"adaptive", 8},
-    {"adaptive", 9},
-    {"adaptive", 32},
-    {"simple_complex", 4},
-    {"simple_complex", 8},
-    {"simple_complex", 32},
-    {"sbaa", 2},
-    {"sbaa", 8},
-    {"sbaa", 16},
-    {"agaa", 1},
-    {"agaa", 2},
-    {"agaa", 4},
-    {"agaa", 8},
-    {"agaa", 8, AGAA_TIER_PER_SAMPLE},
-    {"agaa", 16},
-    {"agaa", 16, AGAA_TIER_PER_SAMPLE},
-    {"agaa", 32},
-    {"agaa", 2, AGAA_TIER_GBUFFER},
-    {"agaa", 8, AGAA_TIER_GBUFFER},
-    {"agaa", 8, AGAA_TIER_GBUFFER, AGAA_CONFIG_BUFFERED},
-    {"agaa", 32, AGAA_TIER_GBUFFER},
-    {"agaa", 2, AGAA_TIER_IDS},
-    {"agaa", 8, AGAA_TIER_IDS},
-    {"agaa", 8, AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED},
-    {"agaa", 32, AGAA_TIER_IDS}};
+constexpr CoverageSetting coverageSettings[] = {{"single", 1},
+                                                {"msaa", 4},
+                                                {"msaa", 8},
+                                                {"msaa", 32},
+                                                {"ssaa", 1},
+                                                {"ssaa", 2},
+                                                {"ssaa", 4},
+                                                {"ssaa", 8},
+                                                {"ssaa", 16},
+                                                {"ssaa", 32},
+                                                {"ssaa", 9},
+                                                {"msaa", 9},
+                                                {"adaptive", 8},
+                                                {"adaptive", 9},
+                                                {"adaptive", 32},
+                                                {"simple_complex", 4},
+                                                {"simple_complex", 8},
+                                                {"simple_complex", 32},
+                                                {"sbaa", 2},
+                                                {"sbaa", 8},
+                                                {"sbaa", 16},
+                                                {"agaa", 1},
+                                                {"agaa", 2},
+                                                {"agaa", 4},
+                                                {"agaa", 8},
+                                                {"agaa", 8, AGAA_TIER_PER_SAMPLE},
+                                                {"agaa", 16},
+                                                {"agaa", 16, AGAA_TIER_PER_SAMPLE},
+                                                {"agaa", 32},
+                                                {"agaa", 2, AGAA_TIER_GBUFFER},
+                                                {"agaa", 8, AGAA_TIER_GBUFFER},
+                                                {"agaa", 8, AGAA_TIER_GBUFFER, AGAA_CONFIG_BUFFERED},
+                                                {"agaa", 32, AGAA_TIER_GBUFFER},
+                                                {"agaa", 2, AGAA_TIER_IDS},
+                                                {"agaa", 8, AGAA_TIER_IDS},
+                                                {"agaa", 8, AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED},
+                                                {"agaa", 32, AGAA_TIER_IDS}};
 inline std::ostream& operator<<(std::ostream& out, const CoverageSetting& s) {
     return out << s.technique << " n=" << s.n << ' ' << agaaTierName(s.tier) << (s.flags ? " buffered" : "");
 }
@@ -69,8 +68,7 @@ inline double overPixel(int x, int y, const std::function<double(double, double)
     return sum / (side * side);
 }
 
-template <class Host>
-class CoverageCases : public testing::Test {
+template <class Host> class CoverageCases : public testing::Test {
 protected:
     static constexpr uint32_t width = 96, height = 64;
 
@@ -97,9 +95,10 @@ protected:
                 triangles.push_back(t);
             }
         const Shown shown = show(context_, settings, {.triangles = triangles, .change = [&](AgaaFrame& frame) {
-                                                         frame.background[0] = frame.background[1] = frame.background[2] = 0;
-                                                         frame.ditherFrame = ditherFrame;
-                                                     }});
+                                                          frame.background[0] = frame.background[1] =
+                                                              frame.background[2] = 0;
+                                                          frame.ditherFrame = ditherFrame;
+                                                      }});
         EXPECT_EQ(nonFinite(shown.rgb), 0u) << s;
         EXPECT_EQ(shown.counters.uncovered, 0u) << s;
         EXPECT_EQ(shown.counters.overlapping, 0u) << s;
@@ -143,7 +142,8 @@ TYPED_TEST_P(CoverageCases, CutoutsAreTestedAtEachSample) {
         if (isNew)
             errors[s.n] = this->meanError(coverage, alpha);
         for (size_t i = 0; i < coverage.size(); ++i)
-            ASSERT_NEAR(coverage[i], first->second[i], 2e-3) << s << " pixel " << i % this->width << ' ' << i / this->width;
+            ASSERT_NEAR(coverage[i], first->second[i], 2e-3)
+                << s << " pixel " << i % this->width << ' ' << i / this->width;
     }
     for (const auto& [n, error] : errors)
         std::printf("[ measured ] n=%-2u mean error of coverage %.5f\n", n, error);

@@ -1,4 +1,5 @@
-// Lights that are culled by tiles: the same image, bit for bit, with fewer evaluations. Each graphics API instantiates these.
+// Lights that are culled by tiles: the same image, bit for bit, with fewer evaluations. Each graphics API instantiates
+// these.
 #pragma once
 
 #include "agreement.h"
@@ -12,8 +13,7 @@
 
 namespace agaa::test {
 
-template <class Host>
-class CullingCases : public testing::Test {
+template <class Host> class CullingCases : public testing::Test {
 protected:
     // Bit-equal images of both ways. Returns the share of evaluations that culling leaves.
     double expectNoDifference(ViewSettings settings, const Shot& shot) {
@@ -33,10 +33,12 @@ protected:
     Shot shotOf(uint32_t lights, float range) const {
         const RandomScene scene = {.triangles = 150, .duplicates = 0.1f, .masked = 0.2f};
         return {.triangles = settleTies(randomTriangles(scene, 61), context.caps()),
-                .lights = manyLights(lights, range, 5), .change = addAmbient};
+                .lights = manyLights(lights, range, 5),
+                .change = addAmbient};
     }
 
-    static ViewSettings settingsOf(const char* technique, uint32_t n, uint32_t aggregates = 2, uint32_t tier = AGAA_TIER_AUTO) {
+    static ViewSettings settingsOf(const char* technique, uint32_t n, uint32_t aggregates = 2,
+                                   uint32_t tier = AGAA_TIER_AUTO) {
         ViewSettings settings;
         settings.config.technique = technique;
         settings.config.samples = n;
@@ -104,7 +106,8 @@ TYPED_TEST_P(CullingCases, AnySizeAndView) {
         settings.width = width;
         settings.height = height;
         // As far from a rotation as views may be.
-        settings.view = glm::mat4(1.0004f * glm::mat3(glm::rotate(glm::mat4(1), 0.2f, glm::normalize(glm::vec3(1, 2, 3)))));
+        settings.view =
+            glm::mat4(1.0004f * glm::mat3(glm::rotate(glm::mat4(1), 0.2f, glm::normalize(glm::vec3(1, 2, 3)))));
         EXPECT_LT(this->expectNoDifference(settings, this->shotOf(40, 1)), 0.9);
         settings.config.technique = "ssaa";
         EXPECT_LT(this->expectNoDifference(settings, this->shotOf(40, 1)), 0.9);
@@ -128,7 +131,8 @@ TYPED_TEST_P(CullingCases, FramesWithFewLightsEvaluateThem) {
 // Of two shadows one belongs to a light that reaches the left half only. Images are bit-equal, with fewer taps.
 TYPED_TEST_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp) {
     AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
-    function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return fract(position.x + position.y) > 0.5 ? 1.0 : 0.0; }";
+    function.glsl =
+        "float agaaHostShadow(uint shadow, vec3 position) { return fract(position.x + position.y) > 0.5 ? 1.0 : 0.0; }";
     function.shadows = 3;
     const AgaaShadow shadows[2] = {};
     Shot shot = this->shotOf(20, 0.5f);
@@ -148,8 +152,10 @@ TYPED_TEST_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp) {
         const char* technique;
         uint32_t tier, litShadows;
     };
-    for (const auto& [technique, tier, litShadows] :
-         {Way{"ssaa", AGAA_TIER_AUTO, 0}, {"agaa", AGAA_TIER_PER_SAMPLE, 0}, {"agaa", AGAA_TIER_GBUFFER, 1}, {"agaa", AGAA_TIER_IDS, 0}}) {
+    for (const auto& [technique, tier, litShadows] : {Way{"ssaa", AGAA_TIER_AUTO, 0},
+                                                      {"agaa", AGAA_TIER_PER_SAMPLE, 0},
+                                                      {"agaa", AGAA_TIER_GBUFFER, 1},
+                                                      {"agaa", AGAA_TIER_IDS, 0}}) {
         SCOPED_TRACE(std::string(technique) + ' ' + agaaTierName(tier));
         ViewSettings settings = this->settingsOf(technique, 4, 2, tier);
         settings.config.aggregation.litShadows = litShadows;
@@ -165,7 +171,8 @@ TYPED_TEST_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp, ImagesAreBitEqual, AnyNumberOfLights, WithoutDepthAllLightsAreEvaluated, EachProjection,
-                            AnySizeAndView, FramesWithFewLightsEvaluateThem);
+REGISTER_TYPED_TEST_SUITE_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp, ImagesAreBitEqual, AnyNumberOfLights,
+                            WithoutDepthAllLightsAreEvaluated, EachProjection, AnySizeAndView,
+                            FramesWithFewLightsEvaluateThem);
 
 } // namespace agaa::test

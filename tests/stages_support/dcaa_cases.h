@@ -14,7 +14,8 @@
 
 namespace agaa::test {
 
-inline ViewSettings dcaaSettings(uint32_t samples = 64, uint32_t surfaces = 4, uint32_t tier = AGAA_TIER_FRAGMENT_LISTS) {
+inline ViewSettings dcaaSettings(uint32_t samples = 64, uint32_t surfaces = 4,
+                                 uint32_t tier = AGAA_TIER_FRAGMENT_LISTS) {
     ViewSettings settings;
     settings.config.technique = "dcaa";
     settings.config.samples = samples;
@@ -24,8 +25,7 @@ inline ViewSettings dcaaSettings(uint32_t samples = 64, uint32_t surfaces = 4, u
     return settings;
 }
 
-template <class Host>
-class DcaaCases : public testing::Test {
+template <class Host> class DcaaCases : public testing::Test {
 protected:
     Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
 
@@ -76,9 +76,10 @@ TYPED_TEST_P(DcaaCases, ShowsWhatManySamplesShow) {
             EXPECT_GT(d.psnr, eight + 3);
         }
         EXPECT_EQ(shown.counters.lostSamples, 0u);
-        std::printf("%u surfaces: PSNR %.1f dB (ssaa 8: %.1f), fragments %llu, merged %llu + %llu, discarded %llu\n", surfaces,
-                    d.psnr, eight, (unsigned long long)shown.counters.fragments, (unsigned long long)shown.counters.mergedFirst,
-                    (unsigned long long)shown.counters.mergedSecond, (unsigned long long)shown.counters.discarded);
+        std::printf("%u surfaces: PSNR %.1f dB (ssaa 8: %.1f), fragments %llu, merged %llu + %llu, discarded %llu\n",
+                    surfaces, d.psnr, eight, (unsigned long long)shown.counters.fragments,
+                    (unsigned long long)shown.counters.mergedFirst, (unsigned long long)shown.counters.mergedSecond,
+                    (unsigned long long)shown.counters.discarded);
         EXPECT_EQ(nonFinite(shown.rgb), 0u);
     }
 }
@@ -86,7 +87,9 @@ TYPED_TEST_P(DcaaCases, ShowsWhatManySamplesShow) {
 // Triangles of a thin layer, so that their depths overlap in many pixels.
 inline std::vector<Triangle> tangle(uint32_t count) {
     std::mt19937 random(7);
-    const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+    const auto uniform = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
     std::vector<Triangle> list;
     for (uint32_t i = 0; i < count; ++i) {
         Triangle t;
@@ -101,8 +104,8 @@ inline std::vector<Triangle> tangle(uint32_t count) {
     return list;
 }
 
-// Where a pixel keeps every fragment, memory has what algorithm 1 begins with. Merged by the paper's words on the CPU, it is
-// what the device keeps of fewer surfaces.
+// Where a pixel keeps every fragment, memory has what algorithm 1 begins with. Merged by the paper's words on the CPU,
+// it is what the device keeps of fewer surfaces.
 TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
     const Shot shot{.triangles = tangle(170)};
     for (const uint32_t samples : {64u, 32u, 128u}) {
@@ -140,8 +143,8 @@ TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
             EXPECT_GT(sums.discarded, 10u);
             EXPECT_EQ(sums.mergedSecond > 10, merge != AGAA_MERGE_NONE);
             EXPECT_EQ(kept.counters.lostFragments, 0u);
-            std::printf("%u samples, merge %u: %u + %u merged, %u discarded, %u samples lost\n", samples, merge, sums.mergedFirst,
-                        sums.mergedSecond, sums.discarded, sums.lostSamples);
+            std::printf("%u samples, merge %u: %u + %u merged, %u discarded, %u samples lost\n", samples, merge,
+                        sums.mergedFirst, sums.mergedSecond, sums.discarded, sums.lostSamples);
         }
     }
 }
@@ -190,8 +193,10 @@ TYPED_TEST_P(DcaaCases, TrianglesThroughTheEyePlaneShowWhatSamplesShow) {
 // All fragments of these pixels find a surface of their own, so that merging does nothing.
 TYPED_TEST_P(DcaaCases, ExactShowsWhatSurfacesWithoutMergingShow) {
     const Shot shot{.triangles = tangle(170), .change = addAmbient};
-    for (const auto& [samples, tier] : {std::pair{32u, AGAA_TIER_FRAGMENT_LISTS}, {64u, AGAA_TIER_FRAGMENT_LISTS},
-                                        {128u, AGAA_TIER_FRAGMENT_LISTS}, {64u, AGAA_TIER_MATERIAL_LISTS}}) {
+    for (const auto& [samples, tier] : {std::pair{32u, AGAA_TIER_FRAGMENT_LISTS},
+                                        {64u, AGAA_TIER_FRAGMENT_LISTS},
+                                        {128u, AGAA_TIER_FRAGMENT_LISTS},
+                                        {64u, AGAA_TIER_MATERIAL_LISTS}}) {
         SCOPED_TRACE(samples);
         ViewSettings settings = dcaaSettings(samples, 8, tier);
         settings.config.surfaceCosine = 1;
@@ -211,13 +216,14 @@ TYPED_TEST_P(DcaaCases, ExactShowsWhatSurfacesWithoutMergingShow) {
     }
 }
 
-// Layers over the whole view, which is larger than a pool of the smallest size: tiles are drawn in several batches, and the
-// image is the one of a pool with room for all.
+// Layers over the whole view, which is larger than a pool of the smallest size: tiles are drawn in several batches, and
+// the image is the one of a pool with room for all.
 TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
     Shot shot;
     std::mt19937 random(5);
     for (int layer = 4; layer >= 0; --layer) // the nearest last, which is lost where there is no room
-        for (const Triangle& t : rectangle(float(10 * layer), float(7 * layer), 322, 242, float(1 + layer), randomMaterial(random)))
+        for (const Triangle& t :
+             rectangle(float(10 * layer), float(7 * layer), 322, 242, float(1 + layer), randomMaterial(random)))
             shot.triangles.push_back(t);
     for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS}) {
         SCOPED_TRACE(agaaTierName(tier));
@@ -255,6 +261,8 @@ TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow, ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows, EdgesCoverTheirShare, ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
+REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow,
+                            ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows, EdgesCoverTheirShare,
+                            ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
 
 } // namespace agaa::test

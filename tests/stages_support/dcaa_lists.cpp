@@ -45,7 +45,8 @@ std::vector<uint32_t> withoutRests(const std::vector<uint32_t>& words, size_t pi
     const size_t step = words.size() / pixels;
     std::vector<uint32_t> kept;
     for (size_t p = 0; p < pixels; ++p)
-        kept.insert(kept.end(), words.begin() + ptrdiff_t(p * step), words.begin() + ptrdiff_t(p * step + wordsOfPixel));
+        kept.insert(kept.end(), words.begin() + ptrdiff_t(p * step),
+                    words.begin() + ptrdiff_t(p * step + wordsOfPixel));
     return kept;
 }
 
@@ -89,7 +90,8 @@ paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragmen
             decltype(paper::Rules::rule)(settings.config.coverage.merge)};
 }
 
-void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel, float leastStep) {
+void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel,
+                float leastStep) {
     ASSERT_EQ(got.size(), expected.size()) << "pixel " << pixel;
     for (size_t i = 0; i < got.size(); ++i) {
         SCOPED_TRACE("pixel " + std::to_string(pixel) + ", surface " + std::to_string(i));

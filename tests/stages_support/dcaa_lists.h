@@ -10,18 +10,18 @@
 namespace agaa::test {
 
 struct Kept {
-    std::vector<std::vector<uint32_t>> lists;          // of each pixel, the ids of its fragments, last drawn first
-    std::vector<std::vector<paper::Surface>> pixels;   // the surfaces of each
-    std::vector<std::vector<uint32_t>> words;          // theirs
+    std::vector<std::vector<uint32_t>> lists;        // of each pixel, the ids of its fragments, last drawn first
+    std::vector<std::vector<paper::Surface>> pixels; // the surfaces of each
+    std::vector<std::vector<uint32_t>> words;        // theirs
     AgaaCounters counters{};
-    std::vector<float> rgb;                            // the image
+    std::vector<float> rgb; // the image
 };
 
 // Buffers, and the words of what they hold. Without lists there are no fragments.
 struct KeptBuffers {
     std::vector<uint32_t> fragments, surfaces;
     uint32_t payloadWords = 0; // of a fragment, beside id, next fragment and mask
-    uint32_t stride = 0;   // of a surface
+    uint32_t stride = 0;       // of a surface
 };
 Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const AgaaCounters& counters);
 
@@ -29,13 +29,13 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
 std::vector<uint32_t> withoutRests(const std::vector<uint32_t>& words, size_t pixels, size_t wordsOfPixel);
 
 // What a frame leaves in memory.
-template <class Host>
-Kept keepFrame(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
+template <class Host> Kept keepFrame(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
     settings.config.flags |= AGAA_CONFIG_READBACK;
     return showBy<Host>(context, settings, shot, [&](typename Host::View& view) {
         const auto& plan = view.plan();
         KeptBuffers buffers{{}, view.readBuffer("surfaces"), plan.payloadWords, plan.bytesPerAggregate / 4};
-        buffers.surfaces = withoutRests(buffers.surfaces, size_t(plan.view.width) * plan.view.height, plan.view.aggregates * buffers.stride);
+        buffers.surfaces = withoutRests(buffers.surfaces, size_t(plan.view.width) * plan.view.height,
+                                        plan.view.aggregates * buffers.stride);
         if (plan.fragmentCapacity)
             buffers.fragments = view.readBuffer("fragments");
         Kept kept = keptOf(settings, buffers, view.statistics().counters);

@@ -10,8 +10,7 @@
 
 namespace agaa::test {
 
-template <class Host>
-class DebugViewCases : public testing::Test {
+template <class Host> class DebugViewCases : public testing::Test {
 protected:
     Shown render(const char* technique, uint32_t tier, uint32_t view, uint32_t ndf = AGAA_NDF_TOKSVIG) {
         ViewSettings settings;
@@ -20,8 +19,7 @@ protected:
         settings.config.generationTier = tier;
         settings.config.measurement.debugView = view;
         settings.facts.shadowMapCount = 0;
-        return show(context, settings,
-                    {.triangles = randomTriangles({.triangles = 150, .masked = 0.2f}, 61)});
+        return show(context, settings, {.triangles = randomTriangles({.triangles = 150, .masked = 0.2f}, 61)});
     }
     // Of the red channel.
     static double sumOfRed(const Shown& shown) {
@@ -45,8 +43,7 @@ TYPED_TEST_P(DebugViewCases, NumbersAreThoseOfTheCounters) {
             if (technique == std::string("sbaa") && tier == AGAA_TIER_IDS)
                 continue; // which is for "agaa"
             const Shown aggregates = this->render(technique, tier, AGAA_DEBUG_VIEW_AGGREGATES);
-            EXPECT_EQ(this->sumOfRed(aggregates), double(aggregates.counters.aggregates))
-                << technique;
+            EXPECT_EQ(this->sumOfRed(aggregates), double(aggregates.counters.aggregates)) << technique;
             EXPECT_GT(aggregates.counters.aggregates, aggregates.counters.shadedPixels);
         }
 }
@@ -61,9 +58,12 @@ TYPED_TEST_P(DebugViewCases, LitIsTheShareOfLight) {
         const char* technique;
         uint32_t tier, litShadows;
     };
-    for (const auto& [technique, tier, litShadows] :
-         {Way{"ssaa", AGAA_TIER_AUTO, 0}, {"agaa", AGAA_TIER_PER_SAMPLE, 0}, {"agaa", AGAA_TIER_GBUFFER, 0},
-          {"agaa", AGAA_TIER_GBUFFER, 1}, {"agaa", AGAA_TIER_IDS, 0}, {"agaa", AGAA_TIER_IDS, 1}}) {
+    for (const auto& [technique, tier, litShadows] : {Way{"ssaa", AGAA_TIER_AUTO, 0},
+                                                      {"agaa", AGAA_TIER_PER_SAMPLE, 0},
+                                                      {"agaa", AGAA_TIER_GBUFFER, 0},
+                                                      {"agaa", AGAA_TIER_GBUFFER, 1},
+                                                      {"agaa", AGAA_TIER_IDS, 0},
+                                                      {"agaa", AGAA_TIER_IDS, 1}}) {
         SCOPED_TRACE(std::string(agaaTierName(tier)) + (litShadows ? ", lit" : ""));
         ViewSettings settings;
         settings.config.technique = technique;
@@ -73,12 +73,12 @@ TYPED_TEST_P(DebugViewCases, LitIsTheShareOfLight) {
         settings.facts.shadowMapCount = 1;
         settings.chained = &function;
         const AgaaShadow shadow{};
-        const Shown shown = show(
-            this->context, settings,
-            {.triangles = randomTriangles({.triangles = 150}, 61), .change = [&](AgaaFrame& frame) {
-                 frame.shadows = &shadow;
-                 frame.shadowCount = 1;
-             }});
+        const Shown shown =
+            show(this->context, settings,
+                 {.triangles = randomTriangles({.triangles = 150}, 61), .change = [&](AgaaFrame& frame) {
+                      frame.shadows = &shadow;
+                      frame.shadowCount = 1;
+                  }});
         size_t lit = 0, dim = 0;
         const size_t middle = settings.width / 2;
         for (size_t i = 0; i < shown.rgb.size(); i += 3) {
@@ -96,10 +96,8 @@ TYPED_TEST_P(DebugViewCases, LitIsTheShareOfLight) {
 
 TYPED_TEST_P(DebugViewCases, SharesLieInTheirRange) {
     for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
-        const Shown lit =
-            this->render("agaa", tier, AGAA_DEBUG_VIEW_LIT); // without shadows everything is
-        EXPECT_NEAR(this->sumOfRed(lit), double(lit.counters.shadedPixels),
-                    1e-3 * this->sumOfRed(lit));
+        const Shown lit = this->render("agaa", tier, AGAA_DEBUG_VIEW_LIT); // without shadows everything is
+        EXPECT_NEAR(this->sumOfRed(lit), double(lit.counters.shadedPixels), 1e-3 * this->sumOfRed(lit));
         const Shown widened = this->render("agaa", tier, AGAA_DEBUG_VIEW_WIDENED);
         EXPECT_GT(widened.counters.widenedLobes, 0u);
         EXPECT_GT(this->sumOfRed(widened), 0);
@@ -161,7 +159,7 @@ TYPED_TEST_P(DebugViewCases, UnfetchedSamplesShowTheirTier) {
     EXPECT_GT(drawn, shown.counters.shadedPixels / 4);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(DebugViewCases, NumbersAreThoseOfTheCounters, LitIsTheShareOfLight,
-                            SharesLieInTheirRange, ColoursTellClustersAndTiersApart, UnfetchedSamplesShowTheirTier);
+REGISTER_TYPED_TEST_SUITE_P(DebugViewCases, NumbersAreThoseOfTheCounters, LitIsTheShareOfLight, SharesLieInTheirRange,
+                            ColoursTellClustersAndTiersApart, UnfetchedSamplesShowTheirTier);
 
 } // namespace agaa::test

@@ -59,8 +59,7 @@ constexpr FixedValues fixedValues[] = {
      }},
 };
 
-template <class Host>
-class FactsCases : public testing::Test {
+template <class Host> class FactsCases : public testing::Test {
 protected:
     ViewSettings settingsOf(const FactWay& way) {
         ViewSettings settings;
@@ -116,8 +115,8 @@ TYPED_TEST_P(FactsCases, ValuesReplaceThoseOfMaterials) {
         }
 }
 
-// Each way to keep or fetch a normal; the first three take that of the prepass, whose 16 bits round, where no light is local and
-// nothing specular.
+// Each way to keep or fetch a normal; the first three take that of the prepass, whose 16 bits round, where no light is
+// local and nothing specular.
 constexpr FactWay normalWays[] = {{"agaa", 8, AGAA_TIER_PER_SAMPLE},
                                   {"agaa", 4, AGAA_TIER_PER_SAMPLE}, // with reversed depth
                                   {"sbaa", 32},
@@ -125,8 +124,8 @@ constexpr FactWay normalWays[] = {{"agaa", 8, AGAA_TIER_PER_SAMPLE},
                                   {"agaa", 8, AGAA_TIER_IDS},
                                   {"dcaa", 64, AGAA_TIER_MATERIAL_LISTS, 0, "precise", AGAA_NDF_LEAN}};
 
-// Normals of planes replace those of materials, and two geometry passes keep none in aggregates. Hosts may give either side
-// of a plane, and the derivatives of a normal that is replaced.
+// Normals of planes replace those of materials, and two geometry passes keep none in aggregates. Hosts may give either
+// side of a plane, and the derivatives of a normal that is replaced.
 TYPED_TEST_P(FactsCases, NormalsArePlanes) {
     std::vector<Triangle> differing = this->scene();
     for (size_t i = 0; i < differing.size(); i += 2)
@@ -154,7 +153,8 @@ TYPED_TEST_P(FactsCases, NormalsArePlanes) {
         EXPECT_GT(psnr, rounds ? 80 : 150);
         if (&way == normalWays) {
             settings.facts.flags &= ~AGAA_FACT_PLANE_NORMALS;
-            EXPECT_LT(compare(this->shownOf(settings, differing).rgb, given.rgb).psnr, 45) << "materials have normals of their own";
+            EXPECT_LT(compare(this->shownOf(settings, differing).rgb, given.rgb).psnr, 45)
+                << "materials have normals of their own";
         }
     }
 }
@@ -200,7 +200,8 @@ TYPED_TEST_P(FactsCases, CountsAreThoseOfFragments) {
     EXPECT_EQ(report.hasAmbient, 1u);
     EXPECT_EQ(report.contradicted,
               AGAA_FACT_EMISSIVE | AGAA_FACT_AMBIENT | AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR);
-    EXPECT_EQ(report.sufficient, AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_AMBIENT | AGAA_FACT_NO_LOCAL_LIGHTS);
+    EXPECT_EQ(report.sufficient,
+              AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_AMBIENT | AGAA_FACT_NO_LOCAL_LIGHTS);
     ASSERT_EQ(this->context.lines.size(), 1u) << "told once";
     EXPECT_EQ(this->context.lines[0].text, report.explanation);
     EXPECT_NE(this->context.lines[0].text.find("33.3 %"), std::string::npos) << report.explanation;
@@ -275,7 +276,7 @@ TYPED_TEST_P(FactsCases, LocalLightsAreRefused) {
     });
 }
 
-REGISTER_TYPED_TEST_SUITE_P(FactsCases, ValuesReplaceThoseOfMaterials, NormalsArePlanes, CountsAreThoseOfFragments, SufficientFactsSuffice,
-                            DebugViewShowsContradictions, LocalLightsAreRefused);
+REGISTER_TYPED_TEST_SUITE_P(FactsCases, ValuesReplaceThoseOfMaterials, NormalsArePlanes, CountsAreThoseOfFragments,
+                            SufficientFactsSuffice, DebugViewShowsContradictions, LocalLightsAreRefused);
 
 } // namespace agaa::test

@@ -43,13 +43,11 @@ void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
 )" + more + "}\n";
 }
 
-AgaaFetchFunction fetchFunction(const ViewSettings& settings, const std::string& text,
-                                const Shot& shot) {
+AgaaFetchFunction fetchFunction(const ViewSettings& settings, const std::string& text, const Shot& shot) {
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = text.c_str();
     function.maxDraws = shot.announcedDraws ? shot.announcedDraws : drawNumber + settings.instances;
-    function.maxPrimitives =
-        shot.announced ? shot.announced : std::max(uint32_t(shot.triangles.size()), 1u);
+    function.maxPrimitives = shot.announced ? shot.announced : std::max(uint32_t(shot.triangles.size()), 1u);
     function.flags = shot.fetchFlags;
     function.pNext = settings.chained;
     return function;

@@ -12,7 +12,6 @@ namespace agaa::test {
 // set.
 std::string fetchText(const ViewSettings& settings, const char* storage, const char* more = "");
 // By the text, which stays where it is; announces what the shot says.
-AgaaFetchFunction fetchFunction(const ViewSettings& settings, const std::string& text,
-                                const Shot& shot);
+AgaaFetchFunction fetchFunction(const ViewSettings& settings, const std::string& text, const Shot& shot);
 
 } // namespace agaa::test

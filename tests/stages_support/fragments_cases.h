@@ -1,4 +1,5 @@
-// "agaa" over fragments at coverage samples, against all fragments shaded by themselves. Each graphics API instantiates these.
+// "agaa" over fragments at coverage samples, against all fragments shaded by themselves. Each graphics API instantiates
+// these.
 #pragma once
 
 #include "dcaa_cases.h"
@@ -21,8 +22,7 @@ inline ViewSettings exactSettings(uint32_t samples) {
     return settings;
 }
 
-template <class Host>
-class FragmentsCases : public testing::Test {
+template <class Host> class FragmentsCases : public testing::Test {
 protected:
     Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
     typename Host::Context context;
@@ -55,8 +55,8 @@ TYPED_TEST_P(FragmentsCases, MeansWeighFragmentsByTheirSamples) {
     }
 }
 
-// A pixel of more fragments than are clustered, on two layers of different colour and normal. What is not clustered joins its
-// layer: were layers mixed, a mean colour would meet a mean normal.
+// A pixel of more fragments than are clustered, on two layers of different colour and normal. What is not clustered
+// joins its layer: were layers mixed, a mean colour would meet a mean normal.
 TYPED_TEST_P(FragmentsCases, ManyFragmentsJoinTheNearestAggregate) {
     Material layers[2];
     layers[0].diffuse = {0.9f, 0.1f, 0.1f, 1}, layers[1].diffuse = {0.1f, 0.2f, 0.9f, 1};

@@ -12,19 +12,17 @@
 
 namespace agaa::test {
 
-template <class Host>
-class HardCaseTest : public testing::Test {
+template <class Host> class HardCaseTest : public testing::Test {
 protected:
     // Over a background of colours that tests know.
     static Shown render(ViewSettings settings, const std::vector<Triangle>& triangles,
                         const std::vector<AgaaLight>& lights) {
         typename Host::Context context;
         settings.facts.shadowMapCount = 0;
-        return show(context, settings,
-                    {.triangles = triangles, .lights = lights, .change = [](AgaaFrame& frame) {
-                         const float background[4] = {0.25f, 0.5f, 0.75f, 1};
-                         std::memcpy(frame.background, background, sizeof background);
-                     }});
+        return show(context, settings, {.triangles = triangles, .lights = lights, .change = [](AgaaFrame& frame) {
+                                            const float background[4] = {0.25f, 0.5f, 0.75f, 1};
+                                            std::memcpy(frame.background, background, sizeof background);
+                                        }});
     }
 };
 

@@ -9,8 +9,7 @@
 
 namespace agaa::test {
 
-template <class Host>
-class HardGeometryCases : public HardCaseTest<Host> {};
+template <class Host> class HardGeometryCases : public HardCaseTest<Host> {};
 TYPED_TEST_SUITE_P(HardGeometryCases);
 
 TYPED_TEST_P(HardGeometryCases, HardCase18AnEmptyFrameIsTheBackground) {
@@ -36,8 +35,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase17GeometryAtTheFarPlaneIsSeen) {
                 view.projection[3][2] = 1;
             }
             const float depth = std::nextafter(10.0f, 0.0f);
-            const Shown r =
-                this->render(view, rectangle(0, 0, 32, 16, depth, facing({1, 1, 1})), {sun()});
+            const Shown r = this->render(view, rectangle(0, 0, 32, 16, depth, facing({1, 1, 1})), {sun()});
             EXPECT_EQ(nonFinite(r.rgb), 0u);
             EXPECT_EQ(r.counters.visible, uint64_t(32 * 16) * s.n) << s << reversed;
             EXPECT_EQ(r.counters.once, r.counters.visible);
@@ -64,8 +62,13 @@ TYPED_TEST_P(HardGeometryCases, HardCase17DepthThatRoundsToTheFarPlaneIsBackgrou
     if (isInOrder(typename TypeParam::Context().caps())) {
         EXPECT_LT(truth.counters.visible, uint64_t(48 * 32 * 8 * 99 / 100)) << "part of the wall is at the far plane";
     }
-    for (const Setting& s : {Setting{"simple_complex", 8}, {"adaptive", 8}, {"msaa", 8}, {"sbaa", 8}, {"agaa", 8},
-                             {"agaa", 8, AGAA_TIER_PER_SAMPLE}, {"agaa", 8, AGAA_TIER_GBUFFER},
+    for (const Setting& s : {Setting{"simple_complex", 8},
+                             {"adaptive", 8},
+                             {"msaa", 8},
+                             {"sbaa", 8},
+                             {"agaa", 8},
+                             {"agaa", 8, AGAA_TIER_PER_SAMPLE},
+                             {"agaa", 8, AGAA_TIER_GBUFFER},
                              {"agaa", 8, AGAA_TIER_IDS}}) {
         const Shown r = shown(s);
         EXPECT_EQ(r.counters.once, r.counters.visible) << s;
@@ -82,10 +85,14 @@ TYPED_TEST_P(HardGeometryCases, HardCase17DepthThatRoundsToTheFarPlaneIsBackgrou
     }
 }
 
-// A surface that a host puts at the far plane, of depth 0 where z is reversed, is background, too, but where it is drawn
-// twice (AgaaFrame::projection).
+// A surface that a host puts at the far plane, of depth 0 where z is reversed, is background, too, but where it is
+// drawn twice (AgaaFrame::projection).
 TYPED_TEST_P(HardGeometryCases, HardCase17SurfacesPutAtTheFarPlaneAreBackground) {
-    for (const Setting& s : {Setting{"single", 1}, {"ssaa", 8}, {"msaa", 8}, {"sbaa", 8}, {"agaa", 8, AGAA_TIER_GBUFFER},
+    for (const Setting& s : {Setting{"single", 1},
+                             {"ssaa", 8},
+                             {"msaa", 8},
+                             {"sbaa", 8},
+                             {"agaa", 8, AGAA_TIER_GBUFFER},
                              {"agaa", 8, AGAA_TIER_IDS}}) {
         ViewSettings view = pixelView(s);
         view.flags = AGAA_VIEW_REVERSED_Z;
@@ -222,7 +229,8 @@ TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
         const Shown r = this->render(view, scene, {sun()});
         // Which is a fragment's first sample depends on the places of samples.
         const double several = routes && !isInOrder(typename TypeParam::Context().caps()) ? 1.5 : 2;
-        EXPECT_GT(double(r.counters.shadingEvents), several * double(r.counters.shadedPixels)) << "there are several aggregates";
+        EXPECT_GT(double(r.counters.shadingEvents), several * double(r.counters.shadedPixels))
+            << "there are several aggregates";
         EXPECT_GT(r.counters.ties, 0u);
         EXPECT_EQ(r.counters.once, r.counters.visible);
         EXPECT_EQ(r.counters.overlapping, 0u) << (routes ? "routed" : "split");
@@ -230,8 +238,8 @@ TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
     }
 }
 
-// Of coplanar draws `msaa` shows what was drawn first in each sample, as techniques with a G-buffer do, masked materials
-// included, whose stencil test would come before their mask.
+// Of coplanar draws `msaa` shows what was drawn first in each sample, as techniques with a G-buffer do, masked
+// materials included, whose stencil test would come before their mask.
 TYPED_TEST_P(HardGeometryCases, HardCase25CoplanarDrawsOfMsaaShowTheFirst) {
     struct Layer {
         glm::vec3 colour;
@@ -240,8 +248,8 @@ TYPED_TEST_P(HardGeometryCases, HardCase25CoplanarDrawsOfMsaaShowTheFirst) {
     const Layer masked[] = {{{1, 0, 0}, true}, {{0, 1, 0}, true}, {{0, 0, 1}, true}};
     const Layer opaqueFirst[] = {{{1, 0, 0}, false}, {{0, 1, 0}, true}};
     const Layer maskedFirst[] = {{{1, 0, 0}, true}, {{0, 1, 0}, false}};
-    for (const std::span<const Layer> layers : {std::span<const Layer>(masked), std::span<const Layer>(opaqueFirst),
-                                                std::span<const Layer>(maskedFirst)}) {
+    for (const std::span<const Layer> layers :
+         {std::span<const Layer>(masked), std::span<const Layer>(opaqueFirst), std::span<const Layer>(maskedFirst)}) {
         std::vector<Triangle> scene;
         for (const Layer& layer : layers)
             for (Triangle& t : rectangle(0, 0, 32, 16, 5, facing(layer.colour))) {
@@ -278,8 +286,8 @@ TYPED_TEST_P(HardGeometryCases, HardCase55OddSizesAreWhole) {
             view.width = width;
             view.height = height;
             view.projection = pixelOrthographic(float(width), float(height), 10);
-            const Shown r = this->render(
-                view, rectangle(0, 0, float(width), float(height), 1, facing({1, 1, 1})), {sun()});
+            const Shown r =
+                this->render(view, rectangle(0, 0, float(width), float(height), 1, facing({1, 1, 1})), {sun()});
             EXPECT_EQ(r.counters.visible, uint64_t(width) * height * s.n) << s;
             for (float value : r.rgb)
                 EXPECT_NEAR(value, 3 / 3.14159265f, 1e-3f) << s;
@@ -287,11 +295,10 @@ TYPED_TEST_P(HardGeometryCases, HardCase55OddSizesAreWhole) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(HardGeometryCases, HardCase18AnEmptyFrameIsTheBackground,
-                            HardCase17GeometryAtTheFarPlaneIsSeen,
-                            HardCase17DepthThatRoundsToTheFarPlaneIsBackground,
-                            HardCase17SurfacesPutAtTheFarPlaneAreBackground,
-                            HardCase19OneCoveredSampleIsThatSample, HardCase48And50DegenerateTriangles,
-                            HardCase48SliversCountOnce, HardCase25RoutedDuplicatesCountOnce,
-                            HardCase25CoplanarDrawsOfMsaaShowTheFirst, HardCase55OddSizesAreWhole);
+                            HardCase17GeometryAtTheFarPlaneIsSeen, HardCase17DepthThatRoundsToTheFarPlaneIsBackground,
+                            HardCase17SurfacesPutAtTheFarPlaneAreBackground, HardCase19OneCoveredSampleIsThatSample,
+                            HardCase48And50DegenerateTriangles, HardCase48SliversCountOnce,
+                            HardCase25RoutedDuplicatesCountOnce, HardCase25CoplanarDrawsOfMsaaShowTheFirst,
+                            HardCase55OddSizesAreWhole);
 
 } // namespace agaa::test

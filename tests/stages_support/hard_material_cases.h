@@ -9,8 +9,7 @@
 
 namespace agaa::test {
 
-template <class Host>
-class HardMaterialCases : public HardCaseTest<Host> {};
+template <class Host> class HardMaterialCases : public HardCaseTest<Host> {};
 TYPED_TEST_SUITE_P(HardMaterialCases);
 
 // Dark colours do not vanish in the sums.
@@ -19,8 +18,7 @@ TYPED_TEST_P(HardMaterialCases, HardCase32ADarkRampSurvives) {
         std::vector<Triangle> ramp;
         for (uint32_t x = 0; x < 32; ++x) {
             const float albedo = 0.04f * float(x) / 31;
-            const auto column =
-                rectangle(float(x), 0, float(x + 1), 16, 1, facing(glm::vec3(albedo)));
+            const auto column = rectangle(float(x), 0, float(x + 1), 16, 1, facing(glm::vec3(albedo)));
             ramp.insert(ramp.end(), column.begin(), column.end());
         }
         const Shown r = this->render(pixelView(s), ramp, {sun()});
@@ -120,8 +118,7 @@ TYPED_TEST_P(HardMaterialCases, HardCase39And40LightsInSurfaces) {
         lights.push_back(light);
     }
     for (const Setting& s : hardSettings) {
-        const Shown r =
-            this->render(pixelView(s), rectangle(0, 0, 32, 16, 1, facing({1, 1, 1})), lights);
+        const Shown r = this->render(pixelView(s), rectangle(0, 0, 32, 16, 1, facing({1, 1, 1})), lights);
         EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
     }
 }

@@ -25,8 +25,7 @@ inline AgaaShadow shadowAt(float depth) {
     return shadow;
 }
 
-template <class Host>
-struct BenchOf {
+template <class Host> struct BenchOf {
     using Native = typename Host::Frame;
 
     typename Host::Context context;
@@ -48,8 +47,7 @@ struct BenchOf {
         return f;
     }
     // Runs what work(native) records.
-    template <class Work>
-    void run(const Work& work) {
+    template <class Work> void run(const Work& work) {
         Host::run(view, [&](Native& native) {
             Host::setShadowMap(native, map);
             work(native);

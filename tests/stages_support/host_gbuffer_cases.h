@@ -21,8 +21,7 @@ struct GBufferRow {
     uint32_t samples;
 };
 
-template <class Host>
-class HostGBufferCases : public testing::Test {
+template <class Host> class HostGBufferCases : public testing::Test {
 protected:
     using View = typename Host::View;
 
@@ -136,11 +135,12 @@ TYPED_TEST_P(HostGBufferCases, SamplesLieWhereTheHostSays) {
         return "const float at[8] = float[8](" + list + R"();
 bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) {
     vec2 ndc = (vec2(pixel) + vec2(at[2u * i], at[2u * i + 1u])) / vec2(48.0, 32.0) * 2.0 - 1.0;
-    vec2 ray = ndc / vec2()" + std::to_string(settings.projection[0][0]) + ", " +
-               std::to_string(settings.projection[1][1]) + R"();
+    vec2 ray = ndc / vec2()" +
+               std::to_string(settings.projection[0][0]) + ", " + std::to_string(settings.projection[1][1]) + R"();
     float z = -4.0 / (1.0 + ray.y); // p = -z (ray, -1)
-    depth = ()" + std::to_string(settings.projection[2][2]) + " * z + (" +
-               std::to_string(settings.projection[3][2]) + R"()) / -z;
+    depth = ()" +
+               std::to_string(settings.projection[2][2]) + " * z + (" + std::to_string(settings.projection[3][2]) +
+               R"()) / -z;
     m.normal = normalize(vec3(0.0, -1.0, 1.0));
     return true;
 }
@@ -170,7 +170,9 @@ TYPED_TEST_P(HostGBufferCases, WhatIsNotFiniteIsContained) {
                 continue;
             const std::string text =
                 "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) {\n"
-                "    float bad = " + std::string(bad) + ";\n    depth = bad;\n"
+                "    float bad = " +
+                std::string(bad) +
+                ";\n    depth = bad;\n"
                 "    m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), bad, vec3(bad), vec3(bad));\n"
                 "    return true;\n}\n";
             AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
@@ -222,8 +224,7 @@ TYPED_TEST_P(HostGBufferCases, BadOnesAreRefusedInASentence) {
         {"extensions", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glslExtensions = "float x;"; }},
         {"another tier", AGAA_ERROR_UNSUPPORTED,
          [](auto&, auto& s) { s.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS; }},
-        {"a technique that draws", AGAA_ERROR_UNSUPPORTED,
-         [](auto&, auto& s) { s.config.technique = "msaa"; }},
+        {"a technique that draws", AGAA_ERROR_UNSUPPORTED, [](auto&, auto& s) { s.config.technique = "msaa"; }},
         {"two set layouts", AGAA_ERROR_INVALID_ARGUMENT,
          [](auto& f, auto& s) {
              s.facts.shadowMapCount = 1;

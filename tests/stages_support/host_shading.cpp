@@ -8,8 +8,8 @@ namespace agaa::test {
 
 void forHostShading(uint32_t drawnTier, const std::function<void(const ViewSettings&)>& check) {
     for (const char* layoutName : {"precise", "paper16"})
-        for (const auto& [tier, flags] : {std::pair{drawnTier, uint64_t(0)},
-                                          {uint32_t(AGAA_TIER_GBUFFER), uint64_t(AGAA_CONFIG_BUFFERED)}})
+        for (const auto& [tier, flags] :
+             {std::pair{drawnTier, uint64_t(0)}, {uint32_t(AGAA_TIER_GBUFFER), uint64_t(AGAA_CONFIG_BUFFERED)}})
             for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 2u}, {32u, 4u}}) {
                 SCOPED_TRACE(std::string(layoutName) + " " + agaaTierName(tier) + " n=" + std::to_string(n));
                 AgaaLayout layout = AGAA_LAYOUT_INIT;
@@ -51,7 +51,8 @@ void main() {
     vec3 color = vec3(0.0);
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
         AgaaAggregate g = agaaAggregate(pixel, a);
-        vec3 light = )" + light + R"(;
+        vec3 light = )" +
+           light + R"(;
         if (g.samples != 0u)
             color += light * float(bitCount(g.samples)) / float(AGAA_SAMPLES);
     }
@@ -65,8 +66,16 @@ void forCustomAttributes(const std::vector<uint32_t>& tiers, const std::function
     agaaGetBuiltinLayout("precise", &layout);
     layout.attributeCount = 4; // no emission: attachments are four
     const auto add = [&](const char* name, uint32_t channels, uint32_t bits, float range, uint32_t filter) {
-        layout.attributes[layout.attributeCount++] = {AGAA_SEMANTIC_CUSTOM, channels, bits, filter == AGAA_FILTER_NONE ? 8u : 0u,
-                                                      0, AGAA_ENCODING_UNORM, range, filter, name, {}};
+        layout.attributes[layout.attributeCount++] = {AGAA_SEMANTIC_CUSTOM,
+                                                      channels,
+                                                      bits,
+                                                      filter == AGAA_FILTER_NONE ? 8u : 0u,
+                                                      0,
+                                                      AGAA_ENCODING_UNORM,
+                                                      range,
+                                                      filter,
+                                                      name,
+                                                      {}};
     };
     add("wind", 2, 16, 4.0f, AGAA_FILTER_MEAN);
     add("tangent", 3, 8, 1.0f, AGAA_FILTER_NORMAL);

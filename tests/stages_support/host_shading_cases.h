@@ -11,8 +11,7 @@
 
 namespace agaa::test {
 
-template <class Host>
-class HostShadingCases : public testing::Test {
+template <class Host> class HostShadingCases : public testing::Test {
 protected:
     // What the pass makes of a frame of the view, by the segments; bind: what the view's functions read.
     template <class Bind>
@@ -75,8 +74,9 @@ TYPED_TEST_P(HostShadingCases, ReadsAttributesOfItsOwn) {
             for (uint32_t flags : {0u, uint32_t(AGAA_FETCH_NOT_ALL_DRAWS)}) {
                 ViewSettings some = settings;
                 some.shader = flags ? ViewSettings::Shader::ThirdUnfetched : ViewSettings::Shader::Material;
-                typename TypeParam::Ids ids(this->context, some, {.triangles = hostShadingScene(),
-                                                                  .material = customMaterial, .fetchFlags = flags});
+                typename TypeParam::Ids ids(
+                    this->context, some,
+                    {.triangles = hostShadingScene(), .material = customMaterial, .fetchFlags = flags});
                 const typename TypeParam::Pass pass(this->context, ids.view().settings(), ids.view(), customLight);
                 const auto bind = [&](auto& native) { ids.bind(native); };
                 images.add(some, this->shaded(ids.view(), pass, AGAA_SEGMENT_ALL, bind));

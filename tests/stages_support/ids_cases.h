@@ -14,8 +14,7 @@
 namespace agaa::test {
 
 // n samples, c aggregates.
-inline ViewSettings idsSettings(uint32_t n, uint32_t c, uint32_t tier = AGAA_TIER_IDS,
-                                uint64_t flags = 0) {
+inline ViewSettings idsSettings(uint32_t n, uint32_t c, uint32_t tier = AGAA_TIER_IDS, uint64_t flags = 0) {
     ViewSettings settings;
     settings.config.samples = n;
     settings.config.aggregates = c;
@@ -28,25 +27,20 @@ inline ViewSettings idsSettings(uint32_t n, uint32_t c, uint32_t tier = AGAA_TIE
 // Each triangle of one material: what tiers still differ by is where they take positions and how
 // they round.
 inline Shot idsShot(uint32_t triangles = 150, float duplicates = 0.1f) {
-    return {.triangles = randomTriangles(
-                {.triangles = triangles, .duplicates = duplicates, .masked = 0.2f}, 61),
+    return {.triangles = randomTriangles({.triangles = triangles, .duplicates = duplicates, .masked = 0.2f}, 61),
             .change = addAmbient};
 }
 
-template <class Host>
-class IdsCases : public testing::Test {
+template <class Host> class IdsCases : public testing::Test {
 protected:
-    Shown render(const ViewSettings& settings, const Shot& shot) {
-        return show(context, settings, shot);
-    }
+    Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
 
     typename Host::Context context;
 };
 TYPED_TEST_SUITE_P(IdsCases);
 
 TYPED_TEST_P(IdsCases, ShowWhatTwoPassesShow) {
-    for (const auto& [n, c] :
-         {std::pair{1u, 1u}, {4u, 2u}, {8u, 1u}, {8u, 2u}, {8u, 4u}, {32u, 2u}}) {
+    for (const auto& [n, c] : {std::pair{1u, 1u}, {4u, 2u}, {8u, 1u}, {8u, 2u}, {8u, 4u}, {32u, 2u}}) {
         SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
         Shot shot = idsShot();
         shot.triangles = settleTies(shot.triangles, this->context.caps());
@@ -55,8 +49,7 @@ TYPED_TEST_P(IdsCases, ShowWhatTwoPassesShow) {
         EXPECT_EQ(ids.geometryPasses, 1u);
         EXPECT_EQ(twice.geometryPasses, 2u);
         const Difference d = compare(ids.rgb, twice.rgb);
-        std::printf("n=%u c=%u: PSNR %.1f dB, %.3f %% of pixels beyond 24/255\n", n, c, d.psnr,
-                    100 * d.farPixels);
+        std::printf("n=%u c=%u: PSNR %.1f dB, %.3f %% of pixels beyond 24/255\n", n, c, d.psnr, 100 * d.farPixels);
         EXPECT_GE(d.psnr, 95) << "the tiers are of one technique";
         EXPECT_EQ(d.farPixels, 0);
         EXPECT_EQ(ids.counters.visible, twice.counters.visible);
@@ -178,8 +171,7 @@ TYPED_TEST_P(IdsCases, BufferedAndUnfetchedShowTheSame) {
             EXPECT_EQ(other.counters.uncovered + other.counters.overlapping, 0u);
             return other.counters;
         };
-        const AgaaCounters buffered =
-            expectLike(idsSettings(n, c, AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED), 95);
+        const AgaaCounters buffered = expectLike(idsSettings(n, c, AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED), 95);
         EXPECT_EQ(buffered.shadingEvents, fused.counters.shadingEvents);
         EXPECT_EQ(buffered.materials, fused.counters.materials);
         shot.fetchFlags = AGAA_FETCH_NOT_ALL_DRAWS;
@@ -267,10 +259,8 @@ TYPED_TEST_P(IdsCases, MorePrimitivesThanATileListsAreAllShown) {
     Shot shot{.change = addAmbient};
     for (uint32_t i = 0; i < perPixel * (width + height / 8); ++i) {
         const float x = float(i) / perPixel - height / 8;
-        for (Triangle& t : rectangle(x, 0, x + 1.0f / perPixel, height, 1 + float(i % 7),
-                                     randomMaterial(random))) {
-            for (glm::vec3& corner :
-                 t.position) // leans, so that samples one above the other are of different strips
+        for (Triangle& t : rectangle(x, 0, x + 1.0f / perPixel, height, 1 + float(i % 7), randomMaterial(random))) {
+            for (glm::vec3& corner : t.position) // leans, so that samples one above the other are of different strips
                 corner.x += corner.y / 8;
             shot.triangles.push_back(t);
         }
@@ -285,8 +275,7 @@ TYPED_TEST_P(IdsCases, MorePrimitivesThanATileListsAreAllShown) {
             settings.config.flags = 0;
             settings.config.generationTier = AGAA_TIER_AUTO;
             const Difference d = compare(ids.rgb, this->render(settings, shot).rgb);
-            const double perTile =
-                double(ids.counters.primitives) / double(width / 8 * (height / 8));
+            const double perTile = double(ids.counters.primitives) / double(width / 8 * (height / 8));
             std::printf("n=%u: %.1f primitives a tile, PSNR %.1f dB\n", n, perTile, d.psnr);
             EXPECT_EQ(perTile, n * 64);
             EXPECT_EQ(ids.counters.materials, ids.counters.primitives);
@@ -312,8 +301,7 @@ TYPED_TEST_P(IdsCases, InstancesAreDrawsOfTheirOwn) {
     EXPECT_GE(d.psnr, 95);
     EXPECT_EQ(ids.counters.visible, twice.counters.visible);
     settings.instances = 1;
-    EXPECT_GT(ids.counters.visible, this->render(settings, shot).counters.visible)
-        << "there is more to see";
+    EXPECT_GT(ids.counters.visible, this->render(settings, shot).counters.visible) << "there is more to see";
 }
 
 // A host that draws more than it announced: what is beyond shows the last announced, is counted,
@@ -335,8 +323,7 @@ TYPED_TEST_P(IdsCases, WhatWasNotAnnouncedIsCounted) {
     EXPECT_EQ(beyond.counters.sanitised, 0u);
     EXPECT_EQ(beyond.validation.unannounced, beyond.counters.unannounced);
     EXPECT_FALSE(beyond.validation.isValid);
-    EXPECT_NE(std::string(beyond.validation.explanation).find("did not announce"),
-              std::string::npos)
+    EXPECT_NE(std::string(beyond.validation.explanation).find("did not announce"), std::string::npos)
         << beyond.validation.explanation;
     // All that is beyond is primitive 9.
     const std::string last = onlyShining("p.primitive == 9u");
@@ -370,8 +357,7 @@ TYPED_TEST_P(IdsCases, WhatWasNotAnnouncedIsCounted) {
 
 TYPED_TEST_P(IdsCases, MaterialsThatAreNotFiniteAreContained) {
     Shot shot = idsShot(60);
-    for (const char* bad :
-         {"0.0 / (m.alpha2 - m.alpha2)", "1.0 / (m.alpha2 - m.alpha2)", "1e30", "-1e30"}) {
+    for (const char* bad : {"0.0 / (m.alpha2 - m.alpha2)", "1.0 / (m.alpha2 - m.alpha2)", "1e30", "-1e30"}) {
         const std::string text = std::string("float bad = ") + bad +
                                  "; m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), "
                                  "bad, vec3(bad), vec3(bad));";
@@ -385,10 +371,8 @@ TYPED_TEST_P(IdsCases, MaterialsThatAreNotFiniteAreContained) {
 
 REGISTER_TYPED_TEST_SUITE_P(IdsCases, ShowWhatTwoPassesShow, SplitSurfacesAreGroupedAsByTwoPasses,
                             OpposedShadingNormalsOfOnePlaneAreGrouped, NormalsThatTurnWithinAPrimitiveAreGrouped,
-                            BufferedAndUnfetchedShowTheSame,
-                            HardCase25UnfetchedDrawsShowTheFirstOfEqualDepths,
-                            UnfetchedSamplesThatAreNotDrawnAreMissed,
-                            CountersTellPrimitivesAndMaterials,
+                            BufferedAndUnfetchedShowTheSame, HardCase25UnfetchedDrawsShowTheFirstOfEqualDepths,
+                            UnfetchedSamplesThatAreNotDrawnAreMissed, CountersTellPrimitivesAndMaterials,
                             MorePrimitivesThanATileListsAreAllShown, InstancesAreDrawsOfTheirOwn,
                             WhatWasNotAnnouncedIsCounted, MaterialsThatAreNotFiniteAreContained);
 

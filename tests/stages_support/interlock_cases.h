@@ -1,6 +1,6 @@
 // Fragments that merge in the shader that draws them, beside lists of the same fragments. Software rasterisers draw the
-// fragments of a pixel in order, so that shaders without the interlock's words do there what they do on other devices with
-// them. Each graphics API instantiates these.
+// fragments of a pixel in order, so that shaders without the interlock's words do there what they do on other devices
+// with them. Each graphics API instantiates these.
 #pragma once
 
 #include "agreement.h"
@@ -10,8 +10,7 @@
 
 namespace agaa::test {
 
-template <class Host>
-class InterlockCases : public testing::Test {
+template <class Host> class InterlockCases : public testing::Test {
 protected:
     InterlockCases() : hasInterlock(context.caps().flags & AGAA_DEVICE_FRAGMENT_INTERLOCK) {
         context.get()->caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
@@ -52,10 +51,13 @@ TYPED_TEST_P(InterlockCases, MergesAsLists) {
         float masked;
         uint32_t ndf;
     };
-    for (const Case& c : {Case{64, 4, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN}, {64, 2, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
-                          {32, 8, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG}, {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE}}) {
+    for (const Case& c : {Case{64, 4, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN},
+                          {64, 2, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
+                          {32, 8, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG},
+                          {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE}}) {
         SCOPED_TRACE(c.samples);
-        const Shot shot{.triangles = c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
+        const Shot shot{.triangles =
+                            c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
                         .change = addAmbient};
         ViewSettings settings = carriedSettings(c.samples, c.surfaces);
         settings.hasInterlock = this->hasInterlock;
@@ -95,14 +97,17 @@ TYPED_TEST_P(InterlockCases, IsRefusedWithoutTheFeatureAndForExactFrames) {
     ViewSettings settings = carriedSettings();
     settings.config.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
     settings.config.coverage.flags = AGAA_COVERAGE_EXACT;
-    EXPECT_NE(expectRefused(this->context, settings, AGAA_ERROR_UNSUPPORTED, "exact").find("interlock"), std::string::npos);
+    EXPECT_NE(expectRefused(this->context, settings, AGAA_ERROR_UNSUPPORTED, "exact").find("interlock"),
+              std::string::npos);
     settings.config.coverage.flags = 0;
     if (this->hasInterlock)
         return;
     typename TypeParam::Context without;
-    EXPECT_NE(expectRefused(without, settings, AGAA_ERROR_UNSUPPORTED, "no interlock").find("no interlock"), std::string::npos);
+    EXPECT_NE(expectRefused(without, settings, AGAA_ERROR_UNSUPPORTED, "no interlock").find("no interlock"),
+              std::string::npos);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(InterlockCases, MergesAsLists, DrawsDecideTheOrder, IsRefusedWithoutTheFeatureAndForExactFrames);
+REGISTER_TYPED_TEST_SUITE_P(InterlockCases, MergesAsLists, DrawsDecideTheOrder,
+                            IsRefusedWithoutTheFeatureAndForExactFrames);
 
 } // namespace agaa::test

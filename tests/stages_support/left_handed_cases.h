@@ -33,8 +33,8 @@ struct HandedHost {
 // What a left-handed host may forget of the recipe.
 enum class Forgotten { Nothing, Positions, Normals, LightPositions, LightDirections, ShadowMatrices };
 
-inline const glm::mat4 negatedZ = glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, -1, 0),
-                                            glm::vec4(0, 0, 0, 1)); // F
+inline const glm::mat4 negatedZ =
+    glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, -1, 0), glm::vec4(0, 0, 0, 1)); // F
 inline glm::vec3 otherHand(const glm::vec3& v) { return {v.x, v.y, -v.z}; }
 
 inline glm::mat4 rotationOfRows(const glm::vec3& x, const glm::vec3& y, const glm::vec3& z) {
@@ -113,8 +113,7 @@ inline HandedScene handedScene() {
     return scene;
 }
 
-template <class Host>
-class LeftHandedCases : public testing::Test {
+template <class Host> class LeftHandedCases : public testing::Test {
 protected:
     static ViewSettings settingsOf(const HandedHost& host, const char* technique, uint32_t tier) {
         ViewSettings settings;
@@ -244,8 +243,8 @@ TYPED_TEST_P(LeftHandedCases, TheRecipeForReflectingViewsShowsIt) {
 // The scene depends on each line of the recipe.
 TYPED_TEST_P(LeftHandedCases, WhatIsForgottenShows) {
     const Shown right = this->byRightHand("agaa", AGAA_TIER_PER_SAMPLE);
-    for (const Forgotten forgotten : {Forgotten::Normals, Forgotten::LightPositions, Forgotten::LightDirections,
-                                      Forgotten::ShadowMatrices}) {
+    for (const Forgotten forgotten :
+         {Forgotten::Normals, Forgotten::LightPositions, Forgotten::LightDirections, Forgotten::ShadowMatrices}) {
         const Shown left = this->byLeftHand("agaa", AGAA_TIER_PER_SAMPLE, forgotten);
         EXPECT_GT(this->differing(right, left), 0.02) << int(forgotten);
     }
@@ -282,7 +281,8 @@ TYPED_TEST_P(LeftHandedCases, MatricesThatAreNotConvertedAreRefused) {
     EXPECT_EQ(view.drawCalls, 0u);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(LeftHandedCases, TheRecipeShowsTheImageOfARightHandedHost, TheRecipeForReflectingViewsShowsIt,
-                            WhatIsForgottenShows, MatricesThatAreNotConvertedAreRefused);
+REGISTER_TYPED_TEST_SUITE_P(LeftHandedCases, TheRecipeShowsTheImageOfARightHandedHost,
+                            TheRecipeForReflectingViewsShowsIt, WhatIsForgottenShows,
+                            MatricesThatAreNotConvertedAreRefused);
 
 } // namespace agaa::test

@@ -1,5 +1,5 @@
-// Patterns of coverage samples of the host's own, whose masks come from a table of half-planes. Each graphics API instantiates
-// these.
+// Patterns of coverage samples of the host's own, whose masks come from a table of half-planes. Each graphics API
+// instantiates these.
 #pragma once
 
 #include "carried_cases.h"
@@ -16,8 +16,7 @@ inline std::vector<float> ownPattern(uint32_t samples, glm::vec2 part = glm::vec
     return pairs;
 }
 
-template <class Host>
-class PatternCases : public testing::Test {
+template <class Host> class PatternCases : public testing::Test {
 protected:
     ViewSettings settings(uint32_t samples, uint32_t surfaces, uint32_t tier = AGAA_TIER_FRAGMENT_LISTS,
                           glm::vec2 part = glm::vec2(1)) {
@@ -41,7 +40,8 @@ TYPED_TEST_SUITE_P(PatternCases);
 // The table, once more on the CPU.
 class CpuTable {
 public:
-    CpuTable(uint32_t size, const std::vector<float>& positions) : size_(size), samples_(uint32_t(positions.size() / 2)) {
+    CpuTable(uint32_t size, const std::vector<float>& positions)
+        : size_(size), samples_(uint32_t(positions.size() / 2)) {
         masks_.resize(size_t(size) * size + 1);
         for (uint32_t entry = 0; entry < size * size; ++entry)
             for (uint32_t i = 0; i < samples_; ++i)
@@ -73,7 +73,9 @@ private:
 // Triangles in pixels that lie apart, so that each fragment stays a surface of its own.
 inline std::vector<Triangle> scattered(uint32_t count) {
     std::mt19937 random(11);
-    const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+    const auto uniform = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
     std::vector<Triangle> list;
     for (uint32_t i = 0; i < count; ++i) {
         Triangle t;
@@ -110,11 +112,13 @@ TYPED_TEST_P(PatternCases, MasksAreThoseOfTheTable) {
         }
         EXPECT_GT(covered, 30u * samples);
         EXPECT_LE(double(different), 2e-4 * double(covered)) << "edges that two roundings give to different entries";
-        std::printf("%u samples, %u entries a side: %zu of %zu covered samples differ\n", samples, size, different, covered);
+        std::printf("%u samples, %u entries a side: %zu of %zu covered samples differ\n", samples, size, different,
+                    covered);
     }
 }
 
-// Hard case 47. A sheet of triangles of all directions. Only near a vertex may rounded edges miss a sample, or cover it twice.
+// Hard case 47. A sheet of triangles of all directions. Only near a vertex may rounded edges miss a sample, or cover it
+// twice.
 TYPED_TEST_P(PatternCases, SharedEdgesSplitTheSamples) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> shift(-0.9f, 0.9f); // no quadrangle folds
@@ -157,10 +161,13 @@ TYPED_TEST_P(PatternCases, PlacesAreThoseOfTheHost) {
             settings.surface = isUpper ? "s.alpha = 11.1 - gl_FragCoord.y; s.alphaCutoff = 0.5;" // one half at 10.6
                                        : "s.alpha = 11.1 - gl_FragCoord.x; s.alphaCutoff = 0.5;";
             const float end = isCutout ? 30.0f : 10.6f;
-            Shot shot{.triangles = isUpper ? rectangle(3, 2.6f, 20, end, 5, material) : rectangle(2.6f, 3, end, 20, 5, material)};
+            Shot shot{.triangles = isUpper ? rectangle(3, 2.6f, 20, end, 5, material)
+                                           : rectangle(2.6f, 3, end, 20, 5, material)};
             for (Triangle& t : shot.triangles)
                 t.isMasked = isCutout;
-            const auto at = [&](const Shown& shown, uint32_t i) { return shown.rgb[3 * (isUpper ? 48 * i + 8 : 48 * 8 + i)]; };
+            const auto at = [&](const Shown& shown, uint32_t i) {
+                return shown.rgb[3 * (isUpper ? 48 * i + 8 : 48 * 8 + i)];
+            };
             const Shown shown = this->render(settings, shot);
             for (uint32_t i = 0; i < 32; ++i)
                 EXPECT_NEAR(at(shown, i), i >= 3 && i <= 10 ? 1 : 0, 1e-3) << i;
@@ -216,8 +223,9 @@ TYPED_TEST_P(PatternCases, TiersAgree) {
     other.config.coverage.samplePositions = nullptr;
     const double library = compare(this->render(other, shot).rgb, truth.rgb).psnr;
     const double own = compare(grouped.rgb, truth.rgb).psnr;
-    std::printf("PSNR to 32 samples: exact %.1f dB, by 16 directions %.1f dB; agaa %.1f dB, of the library's pattern %.1f dB\n", exact,
-                coarse, own, library);
+    std::printf(
+        "PSNR to 32 samples: exact %.1f dB, by 16 directions %.1f dB; agaa %.1f dB, of the library's pattern %.1f dB\n",
+        exact, coarse, own, library);
     EXPECT_GT(exact, coarse + 1.5);
     EXPECT_GT(own, library - 0.5);
 }

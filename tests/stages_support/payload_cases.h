@@ -23,8 +23,7 @@ struct PayloadSize {
     uint32_t width, height;
 };
 
-template <class Host>
-class PayloadCases : public testing::Test {
+template <class Host> class PayloadCases : public testing::Test {
 protected:
     void expectPayload(const PayloadRow& row, uint32_t c, const char* layoutName, PayloadSize size,
                        uint64_t viewFlags = 0) {
@@ -97,7 +96,9 @@ TYPED_TEST_P(PayloadCases, IsWhatTheQueryPredicts) {
     for (uint32_t tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER})
         for (uint32_t n : {4u, 8u}) {
             this->expectPayload({"agaa", n, tier}, 2, "precise", {17, 5});
-            this->expectPayload({.technique = "agaa", .samples = n, .tier = tier, .measurementFlags = AGAA_MEASURE_NO_STENCIL}, 2, "precise", {17, 5}, AGAA_VIEW_REVERSED_Z);
+            this->expectPayload(
+                {.technique = "agaa", .samples = n, .tier = tier, .measurementFlags = AGAA_MEASURE_NO_STENCIL}, 2,
+                "precise", {17, 5}, AGAA_VIEW_REVERSED_Z);
         }
     size_t turn = 0; // layouts take turns: functions are compiled for each view
     for (const PayloadRow& row : payloadRows())

@@ -21,23 +21,28 @@ constexpr uint32_t planWidth = 48, planHeight = 32, planPixels = planWidth * pla
 inline Pass& planPass(PlanBuilder& b, const char* name, const std::string& declarations, const std::string& body) {
     Pass& pass = b.compute(name, AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
     pass.compute.text = "#version 450\nlayout(local_size_x = 64) in;\n#include \"common/bindings.glsl\"\n"
-                "#include \"common/constants.glsl\"\n#include \"common/frame.glsl\"\n" + declarations +
-                "void main() {\n    uint item = (gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x) * 64u + "
-                "gl_LocalInvocationIndex;\n" + body + "}\n";
+                        "#include \"common/constants.glsl\"\n#include \"common/frame.glsl\"\n" +
+                        declarations +
+                        "void main() {\n    uint item = (gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x) * 64u + "
+                        "gl_LocalInvocationIndex;\n" +
+                        body + "}\n";
     b.bindCommon(pass);
     return pass;
 }
 
-inline void dispatchItems(Pass& pass, uint64_t items) { pass.compute.dispatch = {.kind = DispatchKind::Items, .items = items}; }
+inline void dispatchItems(Pass& pass, uint64_t items) {
+    pass.compute.dispatch = {.kind = DispatchKind::Items, .items = items};
+}
 
 constexpr const char* wordsText = "layout(std430, AGAA_BINDING_AGGREGATES) buffer Words { uint words[]; };\n";
-constexpr const char* argumentsText = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Arguments { uint arguments[]; };\n";
+constexpr const char* argumentsText =
+    "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Arguments { uint arguments[]; };\n";
 
 // Shows color, a GLSL vec3 of `item`, a pixel.
 inline Pass& showPixels(PlanBuilder& b, const std::string& declarations, const std::string& color) {
     Pass& pass = planPass(b, "show", declarations + "layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D image;\n",
-                          "    if (item < 1536u)\n        imageStore(image, ivec2(item % 48u, item / 48u), vec4(" + color +
-                              ", 1.0));\n");
+                          "    if (item < 1536u)\n        imageStore(image, ivec2(item % 48u, item / 48u), vec4(" +
+                              color + ", 1.0));\n");
     dispatchItems(pass, planPixels);
     b.bind(pass, slot::Output, BindingType::StorageImage, b.output(), true);
     return pass;
@@ -47,8 +52,8 @@ inline void bindWords(PlanBuilder& b, Pass& pass, ResourceId words, bool writes 
     b.bind(pass, slot::Aggregates, BindingType::StorageBuffer, words, writes);
 }
 
-// A group whose word ends it after three turns of six. Its draw and its first dispatch would count further turns. Shows how
-// often the draw, the first dispatch and the last pass ran.
+// A group whose word ends it after three turns of six. Its draw and its first dispatch would count further turns. Shows
+// how often the draw, the first dispatch and the last pass ran.
 inline void buildEndingGroup(PlanBuilder& b) {
     const ResourceId words = b.pixelBuffer("words", 4);
     b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
@@ -57,27 +62,27 @@ inline void buildEndingGroup(PlanBuilder& b) {
     b.bindCommon(draw);
     draw.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
     draw.draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
-                "void agaa_emit(AgaaSurfaceInput s) {\n    if (agaa_hostPixel() == uvec2(0u))\n"
-                "        atomicAdd(words[0], 1u);\n}\n";
+                     "void agaa_emit(AgaaSurfaceInput s) {\n    if (agaa_hostPixel() == uvec2(0u))\n"
+                     "        atomicAdd(words[0], 1u);\n}\n";
     b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
     Pass& work = planPass(b, "work", wordsText, "    if (item == 0u)\n        ++words[1];\n");
     dispatchItems(work, 1);
     bindWords(b, work, words, true);
-    Pass& decide = planPass(b, "decide", wordsText,
-                            "    if (item != 0u)\n        return;\n    ++words[2];\n    words[3] = words[2] < 3u ? 1u : 0u;\n");
+    Pass& decide =
+        planPass(b, "decide", wordsText,
+                 "    if (item != 0u)\n        return;\n    ++words[2];\n    words[3] = words[2] < 3u ? 1u : 0u;\n");
     dispatchItems(decide, 1);
     bindWords(b, decide, words, true);
     b.plan.repeats.push_back({first, first + 2, 6, words, 12});
     bindWords(b, showPixels(b, wordsText, "vec3(words[0], words[1], words[2])"), words);
 }
 
-template <class Host>
-class PlanCases : public testing::Test {
+template <class Host> class PlanCases : public testing::Test {
 protected:
     // The images of so many frames, RGBA.
     std::vector<std::vector<float>> render(void (*build)(PlanBuilder&), uint32_t frames = 1,
-                                           const std::vector<Triangle>& triangles = {}, const char* technique = "single",
-                                           uint32_t samples = 1) {
+                                           const std::vector<Triangle>& triangles = {},
+                                           const char* technique = "single", uint32_t samples = 1) {
         ViewSettings settings;
         settings.width = planWidth;
         settings.height = planHeight;
@@ -103,7 +108,7 @@ protected:
     }
 
     typename Host::Context context;
-    std::vector<uint32_t> batches; // of the draw callbacks
+    std::vector<uint32_t> batches;     // of the draw callbacks
     std::vector<AgaaDrawState> states; // the same
     bool validates = false;
     AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT; // of the last frame
@@ -118,7 +123,8 @@ TYPED_TEST_P(PlanCases, ItemsAreDispatchedInRows) {
         const ResourceId words = b.itemBuffer("words", manyItems, 4);
         b.fill("fill", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING, 7);
         const std::string count = std::to_string(manyItems) + "u";
-        Pass& number = planPass(b, "number", wordsText, "    if (item < " + count + ")\n        words[item] += item;\n");
+        Pass& number =
+            planPass(b, "number", wordsText, "    if (item < " + count + ")\n        words[item] += item;\n");
         dispatchItems(number, manyItems);
         bindWords(b, number, words, true);
         Pass& show = showPixels(b, wordsText, "vec3(words[item], words[" + count + " - 1u - item], 0.0)");
@@ -136,8 +142,9 @@ TYPED_TEST_P(PlanCases, AnEarlierPassSaysHowManyGroups) {
         const ResourceId words = b.itemBuffer("words", planPixels, 4);
         const ResourceId arguments = b.itemBuffer("arguments", 8, 4);
         b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
-        Pass& say = planPass(b, "say", argumentsText,
-                             "    if (item < 8u)\n        arguments[item] = uint[](9u, 9u, 9u, 9u, 3u, 1u, 1u, 9u)[item];\n");
+        Pass& say =
+            planPass(b, "say", argumentsText,
+                     "    if (item < 8u)\n        arguments[item] = uint[](9u, 9u, 9u, 9u, 3u, 1u, 1u, 9u)[item];\n");
         dispatchItems(say, 8);
         b.bind(say, slot::Fragments, BindingType::StorageBuffer, arguments, true);
         Pass& mark = planPass(b, "mark", wordsText, "    words[item] = item + 1u;\n");
@@ -197,10 +204,11 @@ TYPED_TEST_P(PlanCases, PassesEndThemselves) {
         Pass& before = planPass(b, "before", wordsText, "    if (item == 0u)\n        ++words[0];\n");
         dispatchItems(before, 1);
         bindWords(b, before, words, true);
-        Pass& work = planPass(b, "work", std::string(wordsText) + argumentsText +
-                                             "layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D image;\n",
-                              "    if (item != 0u)\n        return;\n    if (words[0] == 3u)\n        arguments[0] = 0u;\n"
-                              "    imageStore(image, ivec2(0), vec4(words[0]));\n");
+        Pass& work = planPass(
+            b, "work",
+            std::string(wordsText) + argumentsText + "layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D image;\n",
+            "    if (item != 0u)\n        return;\n    if (words[0] == 3u)\n        arguments[0] = 0u;\n"
+            "    imageStore(image, ivec2(0), vec4(words[0]));\n");
         work.compute.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
         bindWords(b, work, words);
         b.bind(work, slot::Fragments, BindingType::StorageBuffer, arguments, true);
@@ -262,8 +270,11 @@ TYPED_TEST_P(PlanCases, DrawsWithoutDepthAreClearedToColours) {
                                      "layout(AGAA_BINDING_GBUFFER1) uniform sampler2D linear;\n";
         // On the border between two texels the linear sampler mixes them.
         const std::string at = "vec2(float(item % 48u), float(item / 48u) + 0.5) / vec2(48.0, 32.0)";
-        Pass& show = showPixels(b, textures, "vec3(textureLod(nearest, " + at + " + vec2(0.1 / 48.0, 0.0), 0.0).rg, "
-                                             "textureLod(linear, " + at + ", 0.0).r)");
+        Pass& show = showPixels(b, textures,
+                                "vec3(textureLod(nearest, " + at +
+                                    " + vec2(0.1 / 48.0, 0.0), 0.0).rg, "
+                                    "textureLod(linear, " +
+                                    at + ", 0.0).r)");
         b.bind(show, slot::GBuffer0, BindingType::Texture, color);
         b.bind(show, slot::GBuffer1, BindingType::Texture, color);
         show.bindings.back().filter = Filter::Linear;
@@ -296,8 +307,10 @@ TYPED_TEST_P(PlanCases, DrawsWithoutTargetsStore) {
         b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, words, true);
         setRecord(draw, sums);
         const Field& coverage = sums.packing.coverage;
-        const std::string word = "words[item * " + std::to_string(sums.stride) + "u + " + std::to_string(coverage.word) + "u]";
-        bindWords(b, showPixels(b, wordsText, "vec3(float(" + word + " >> " + std::to_string(coverage.shift) + "u & 1u))"),
+        const std::string word =
+            "words[item * " + std::to_string(sums.stride) + "u + " + std::to_string(coverage.word) + "u]";
+        bindWords(b,
+                  showPixels(b, wordsText, "vec3(float(" + word + " >> " + std::to_string(coverage.shift) + "u & 1u))"),
                   words);
     };
     const auto images = this->render(build, 1, rectangle(0, 0, planWidth / 2, planHeight, 5, Material{}));
@@ -316,10 +329,11 @@ TYPED_TEST_P(PlanCases, DrawsHaveTextAndBuffersOfTheirOwn) {
         b.bindCommon(draw);
         draw.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
         draw.draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
-                    "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
-                    "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], uint(s.diffuse.x * 8.0));\n}\n";
-        draw.draw.expansionText = "vec4 agaa_place(vec4 clip) {\n"
-                            "    return clip + vec4(32.0 / float(agaa_frame.size.x) * clip.w, 0.0, 0.0, 0.0);\n}\n";
+                         "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
+                         "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], uint(s.diffuse.x * 8.0));\n}\n";
+        draw.draw.expansionText =
+            "vec4 agaa_place(vec4 clip) {\n"
+            "    return clip + vec4(32.0 / float(agaa_frame.size.x) * clip.w, 0.0, 0.0, 0.0);\n}\n";
         b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
         bindWords(b, showPixels(b, wordsText, "vec3(words[item])"), words);
     };
@@ -334,8 +348,8 @@ TYPED_TEST_P(PlanCases, DrawsHaveTextAndBuffersOfTheirOwn) {
     }
 }
 
-// A draw asks its host for conservative rasterisation, and the next one does not. Hosts of these tests draw without it, as
-// devices do that have none.
+// A draw asks its host for conservative rasterisation, and the next one does not. Hosts of these tests draw without it,
+// as devices do that have none.
 TYPED_TEST_P(PlanCases, DrawsAskForConservativeRasterisation) {
     const auto build = [](PlanBuilder& b) {
         const ResourceId words = b.pixelBuffer("words", 4);
@@ -347,8 +361,8 @@ TYPED_TEST_P(PlanCases, DrawsAskForConservativeRasterisation) {
             draw.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
             draw.draw.state.conservative = conservative;
             draw.draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
-                        "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
-                        "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], 1u);\n}\n";
+                             "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
+                             "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], 1u);\n}\n";
             b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
         }
         bindWords(b, showPixels(b, wordsText, "vec3(words[item])"), words);
@@ -363,19 +377,21 @@ TYPED_TEST_P(PlanCases, DrawsAskForConservativeRasterisation) {
 // Masks of 128 samples: locations, events and the report of invalid pixels.
 TYPED_TEST_P(PlanCases, MasksHaveRoomFor128Samples) {
     const auto build = [](PlanBuilder& b) {
-        Pass& shade = planPass(b, "shade", "#define AGAA_COUNTING 1\n#define AGAA_EVENT_WORDS 4\n#define AGAA_MAX_EVENTS 4u\n"
-                                           "#include \"common/target.glsl\"\n#include \"common/counters.glsl\"\n"
-                                           "#include \"common/events.glsl\"\n"
-                                           "vec3 agaa_shadeEvent(uint lane, uint which) {\n"
-                                           "    return vec3(lane, which & 127u, which >> 7u);\n}\n",
-                               "    agaa_countBegin();\n"
-                               "    uvec2 pixel = uvec2(item % 48u, item / 48u);\n"
-                               "    agaa_PixelWork work = agaa_pixelWork(1u, 128u, 3u);\n"
-                               "    work.events[1] = 1u << (item & 31u);\n    work.events[3] = 0x80000001u;\n"
-                               "    agaa_writeOutput(pixel, agaa_shadeWork(work) + vec3(0.0, 0.0, agaa_eventsOf(work)), AGAA_SAMPLES);\n"
-                               "    if (item == 49u)\n"
-                               "        agaa_reportPixel(pixel, uvec4(1u, 2u, 3u, 4u), uvec4(5u, 6u, 7u, 8u), uvec4(9u, 10u, 11u, 12u));\n"
-                               "    agaa_countEnd();\n");
+        Pass& shade = planPass(
+            b, "shade",
+            "#define AGAA_COUNTING 1\n#define AGAA_EVENT_WORDS 4\n#define AGAA_MAX_EVENTS 4u\n"
+            "#include \"common/target.glsl\"\n#include \"common/counters.glsl\"\n"
+            "#include \"common/events.glsl\"\n"
+            "vec3 agaa_shadeEvent(uint lane, uint which) {\n"
+            "    return vec3(lane, which & 127u, which >> 7u);\n}\n",
+            "    agaa_countBegin();\n"
+            "    uvec2 pixel = uvec2(item % 48u, item / 48u);\n"
+            "    agaa_PixelWork work = agaa_pixelWork(1u, 128u, 3u);\n"
+            "    work.events[1] = 1u << (item & 31u);\n    work.events[3] = 0x80000001u;\n"
+            "    agaa_writeOutput(pixel, agaa_shadeWork(work) + vec3(0.0, 0.0, agaa_eventsOf(work)), AGAA_SAMPLES);\n"
+            "    if (item == 49u)\n"
+            "        agaa_reportPixel(pixel, uvec4(1u, 2u, 3u, 4u), uvec4(5u, 6u, 7u, 8u), uvec4(9u, 10u, 11u, 12u));\n"
+            "    agaa_countEnd();\n");
         dispatchItems(shade, planPixels);
         b.bindOutput(shade);
         b.copyCounters();
@@ -426,9 +442,8 @@ TYPED_TEST_P(PlanCases, ATechniqueIsAFileAndAShader) {
 
 REGISTER_TYPED_TEST_SUITE_P(PlanCases, ItemsAreDispatchedInRows, AnEarlierPassSaysHowManyGroups,
                             GroupsRepeatUntilABufferEndsThem, BuffersOutliveFrames, CountersComeBackInConstants,
-                            DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore,
-                            ATechniqueIsAFileAndAShader, PassesEndThemselves, AWordEndsGroups,
-                            DrawsHaveTextAndBuffersOfTheirOwn,
+                            DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore, ATechniqueIsAFileAndAShader,
+                            PassesEndThemselves, AWordEndsGroups, DrawsHaveTextAndBuffersOfTheirOwn,
                             DrawsAskForConservativeRasterisation, MasksHaveRoomFor128Samples);
 
 } // namespace agaa::test

@@ -52,8 +52,8 @@ const std::vector<PayloadRow>& payloadRows() {
             }
         }
         for (const uint32_t n : {32u, 64u, 128u})
-            for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK,
-                                        AGAA_TIER_FRAGMENTS})
+            for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS,
+                                        AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_FRAGMENTS})
                 list.push_back({tier == AGAA_TIER_FRAGMENTS ? "agaa" : "dcaa", n, tier});
         list.push_back({.technique = "dcaa", .samples = 64, .tier = AGAA_TIER_FRAGMENT_LISTS, .hasOwnPattern = true});
         return list;

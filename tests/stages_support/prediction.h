@@ -21,7 +21,7 @@ struct PayloadRow {
     uint32_t tier = AGAA_TIER_AUTO;
     uint64_t configFlags = 0;
     uint64_t measurementFlags = 0;
-    uint64_t fetchFlags = 0; // of the tier ids
+    uint64_t fetchFlags = 0;    // of the tier ids
     bool hasOwnPattern = false; // of coverage samples
 };
 const std::vector<PayloadRow>& payloadRows();

@@ -1,5 +1,5 @@
-// Triangles that the host's vertex shader expands, beside those that its geometry shader expands: all that frames leave is
-// equal bit by bit. Each graphics API instantiates these.
+// Triangles that the host's vertex shader expands, beside those that its geometry shader expands: all that frames leave
+// is equal bit by bit. Each graphics API instantiates these.
 #pragma once
 
 #include "interlock_cases.h"
@@ -8,13 +8,14 @@
 
 namespace agaa::test {
 
-// Of each pixel, the words of its fragments but for their places in the buffer, from the last drawn on. Merging puts lists in
-// order, so the others are before it where fragments do not arrive in the order of their numbers.
+// Of each pixel, the words of its fragments but for their places in the buffer, from the last drawn on. Merging puts
+// lists in order, so the others are before it where fragments do not arrive in the order of their numbers.
 struct FragmentWords {
     std::vector<std::vector<uint32_t>> pixels;
     size_t count = 0; // of fragments
 
-    FragmentWords(const Plan& plan, const std::vector<uint32_t>& buffer) : pixels(size_t(plan.view.width) * plan.view.height) {
+    FragmentWords(const Plan& plan, const std::vector<uint32_t>& buffer)
+        : pixels(size_t(plan.view.width) * plan.view.height) {
         constexpr size_t countWords = 16; // before the first fragments
         const size_t length = 2 + plan.view.samples / 32 + plan.payloadWords;
         for (size_t p = 0; p < pixels.size(); ++p)
@@ -27,8 +28,7 @@ struct FragmentWords {
     }
 };
 
-template <class Host>
-class PullingCases : public testing::Test {
+template <class Host> class PullingCases : public testing::Test {
 protected:
     Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
     Kept keep(const ViewSettings& settings, const Shot& shot) { return keepFrame<Host>(context, settings, shot); }
@@ -48,7 +48,8 @@ inline ViewSettings pulled(ViewSettings settings) {
     return settings;
 }
 
-// Triangles of all sizes, slivers, points, triangles that begin behind the eye, and one with a vertex that is not finite.
+// Triangles of all sizes, slivers, points, triangles that begin behind the eye, and one with a vertex that is not
+// finite.
 inline Shot everyTriangle() {
     Shot shot{.triangles = randomTriangles({.triangles = 150, .masked = 0.4f}, 61), .change = addAmbient};
     const auto add = [&](glm::vec3 a, glm::vec3 b, glm::vec3 c) {
@@ -83,7 +84,8 @@ TYPED_TEST_P(PullingCases, FragmentsAndSurfacesAreThoseOfGeometryShaders) {
                     settings.projection = reversedInfinite(60, 1.5f, 0.1f);
                 }
                 if (isInOrder(this->context.caps())) {
-                    const FragmentWords expected = this->fragments(settings, shot), got = this->fragments(pulled(settings), shot);
+                    const FragmentWords expected = this->fragments(settings, shot),
+                                        got = this->fragments(pulled(settings), shot);
                     EXPECT_GT(expected.count, 1000u);
                     EXPECT_EQ(got.count, expected.count);
                     EXPECT_EQ(got.pixels, expected.pixels);
@@ -111,7 +113,8 @@ TYPED_TEST_P(PullingCases, AggregatesOfFragmentsAreThoseOfGeometryShaders) {
     EXPECT_TRUE(got.validation.isValid) << got.validation.explanation;
 }
 
-// A fragment has the numbers and the attributes of its own triangle in each draw, in views that are drawn several times.
+// A fragment has the numbers and the attributes of its own triangle in each draw, in views that are drawn several
+// times.
 TYPED_TEST_P(PullingCases, InstancesAndBatches) {
     ViewSettings settings = dcaaSettings(64, 2, AGAA_TIER_MATERIAL_LISTS);
     settings.instances = 3;

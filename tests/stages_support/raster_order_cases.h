@@ -6,8 +6,7 @@
 
 namespace agaa::test {
 
-template <class Host>
-class RasterOrderCases : public testing::Test {
+template <class Host> class RasterOrderCases : public testing::Test {
 protected:
     RasterOrderCases() { EXPECT_EQ(agaaGetBuiltinLayout("dcaa28", &layout), AGAA_OK); }
 
@@ -38,11 +37,14 @@ TYPED_TEST_P(RasterOrderCases, MergesAsLists) {
         uint32_t ndf;
         bool hasOwnPattern = false;
     };
-    for (const Case& c : {Case{64, 3, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN}, {64, 4, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
-                          {32, 4, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG}, {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE},
+    for (const Case& c : {Case{64, 3, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN},
+                          {64, 4, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
+                          {32, 4, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG},
+                          {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE},
                           {32, 2, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_TOKSVIG, true}}) {
         SCOPED_TRACE(c.samples);
-        const Shot shot{.triangles = c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
+        const Shot shot{.triangles =
+                            c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
                         .change = addAmbient};
         ViewSettings lists = this->settings(AGAA_TIER_MATERIAL_LISTS, c.samples, c.surfaces),
                      merging = this->settings(AGAA_TIER_RASTER_ORDER, c.samples, c.surfaces);
@@ -61,7 +63,8 @@ TYPED_TEST_P(RasterOrderCases, MergesAsLists) {
 // It is that of the draws, whatever their numbers.
 TYPED_TEST_P(RasterOrderCases, DrawsDecideTheOrder) {
     const Shot shot{.triangles = tangle(400), .change = addAmbient};
-    ViewSettings merging = this->settings(AGAA_TIER_RASTER_ORDER, 64, 2), lists = this->settings(AGAA_TIER_MATERIAL_LISTS, 64, 2);
+    ViewSettings merging = this->settings(AGAA_TIER_RASTER_ORDER, 64, 2),
+                 lists = this->settings(AGAA_TIER_MATERIAL_LISTS, 64, 2);
     const Kept merged = this->keep(merging, shot);
     merging.surface = lists.surface = "s.primitive = 399u - s.primitive;";
     EXPECT_EQ(this->keep(merging, shot).words, merged.words);
@@ -90,7 +93,8 @@ TYPED_TEST_P(RasterOrderCases, MemoryIsThatOfTheSurfaces) {
 }
 
 TYPED_TEST_P(RasterOrderCases, IsRefusedWhereAttachmentsCannotHoldThePixel) {
-    const std::string reason = expectRefused(this->context, this->settings(AGAA_TIER_RASTER_ORDER, 64, 5), AGAA_ERROR_UNSUPPORTED, "140 bytes");
+    const std::string reason = expectRefused(this->context, this->settings(AGAA_TIER_RASTER_ORDER, 64, 5),
+                                             AGAA_ERROR_UNSUPPORTED, "140 bytes");
     EXPECT_NE(reason.find("5 surfaces of this layout take 140"), std::string::npos) << reason;
 }
 

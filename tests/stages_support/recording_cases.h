@@ -14,15 +14,13 @@
 
 namespace agaa::test {
 
-template <class Host>
-typename Host::Options inFlight(uint32_t frames) {
+template <class Host> typename Host::Options inFlight(uint32_t frames) {
     return Host::changed([=](auto& desc) { desc.framesInFlight = frames; });
 }
 
 inline AgaaResult AGAA_CALL throwingDraw(void*, const AgaaDrawTarget*) { throw std::runtime_error("from a draw"); }
 
-template <class Host>
-class RecordingCases : public testing::Test {};
+template <class Host> class RecordingCases : public testing::Test {};
 TYPED_TEST_SUITE_P(RecordingCases);
 
 // What lies in the API's struct beyond the frame's shadows is not used, but for Vulkan's first declared map.

@@ -20,9 +20,10 @@ glm::dvec3 ShadingOracle::position(uint32_t x, uint32_t y, uint32_t i) const {
     const double depth = double(std::bit_cast<float>(depth_[sampleIndex(plan_, x, y, i)].x));
     const rvec2 ndc((x + double(constants_.sampleLocations[i][0])) / plan_.view.width * 2 - 1,
                     (y + double(constants_.sampleLocations[i][1])) / plan_.view.height * 2 - 1);
-    const rvec3 v = agaa_viewPosition(ndc, agaa_viewZFromDepth(depth, double(c.projection22), double(c.projection32), c.isOrthographic),
-                                      double(c.projectionScale[0]), double(c.projectionScale[1]),
-                                      double(c.projectionOffset[0]), double(c.projectionOffset[1]), c.isOrthographic);
+    const rvec3 v = agaa_viewPosition(
+        ndc, agaa_viewZFromDepth(depth, double(c.projection22), double(c.projection32), c.isOrthographic),
+        double(c.projectionScale[0]), double(c.projectionScale[1]), double(c.projectionOffset[0]),
+        double(c.projectionOffset[1]), c.isOrthographic);
     glm::mat4 view;
     std::memcpy(&view, frame_.view, sizeof view);
     return glm::transpose(glm::dmat3(glm::mat3(view))) * v;
@@ -195,7 +196,8 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
     glm::dvec3 sum(0);
     uint32_t covered = 0;
     for (uint32_t a = 0; a < plan_.view.aggregates; ++a) {
-        const uint32_t* words = &words_[((size_t(y) * plan_.view.width + x) * plan_.view.aggregates + a) * packing.words];
+        const uint32_t* words =
+            &words_[((size_t(y) * plan_.view.width + x) * plan_.view.aggregates + a) * packing.words];
         const uint64_t field = words[packing.coverage.word] >> packing.coverage.shift;
         const uint32_t mask = uint32_t(field & ((uint64_t(1) << plan_.view.samples) - 1));
         if (!mask)

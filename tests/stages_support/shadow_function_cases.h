@@ -21,8 +21,7 @@ inline AgaaShadowFunction shadowFunction(const char* text, uint32_t shadows) {
     return function;
 }
 
-template <class Host>
-class ShadowFunctionCases : public testing::Test {
+template <class Host> class ShadowFunctionCases : public testing::Test {
 protected:
     using View = typename Host::View;
 
@@ -107,7 +106,8 @@ protected:
 
     // Of a light in the shadow that a function of this result tells.
     std::vector<float> picture(const char* result) {
-        const std::string text = "float agaaHostShadow(uint shadow, vec3 position) { return " + std::string(result) + "; }";
+        const std::string text =
+            "float agaaHostShadow(uint shadow, vec3 position) { return " + std::string(result) + "; }";
         const AgaaShadowFunction function = shadowFunction(text.c_str(), 1);
         View view(context, settingsFor("agaa", function, 1));
         view.setTriangles(scene());
@@ -170,7 +170,9 @@ TYPED_TEST_P(ShadowFunctionCases, ExtensionsAreLinesOfTheirOwn) {
         function.glslExtensions = lines;
         const ViewSettings settings = this->settingsFor("agaa", function, 1);
         EXPECT_NE(expectRefused(this->context, settings, AGAA_ERROR_INVALID_ARGUMENT, lines)
-                      .find("AgaaShadowFunction::glslExtensions has more than lines"), std::string::npos) << lines;
+                      .find("AgaaShadowFunction::glslExtensions has more than lines"),
+                  std::string::npos)
+            << lines;
     }
 }
 
@@ -197,13 +199,14 @@ TYPED_TEST_P(ShadowFunctionCases, BadOnesAreRefusedInASentence) {
         {"answers for more", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.shadows = 4; }},
         {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.reserved = 1; }},
         {"size", AGAA_ERROR_STRUCT, [](auto& f) { f.structSize = 8; }},
-        {"twice", AGAA_ERROR_UNKNOWN_STRUCT, [](auto& f) {
+        {"twice", AGAA_ERROR_UNKNOWN_STRUCT,
+         [](auto& f) {
              static AgaaShadowFunction second = AGAA_SHADOW_FUNCTION_INIT;
              f.pNext = &second;
          }},
-        {"a ring", AGAA_ERROR_UNKNOWN_STRUCT, [](auto& f) {
-             static AgaaStructHeader ring = {77 | AGAA_STRUCTURE_TYPE_OPTIONAL_BIT,
-                                             sizeof(AgaaStructHeader), &ring};
+        {"a ring", AGAA_ERROR_UNKNOWN_STRUCT,
+         [](auto& f) {
+             static AgaaStructHeader ring = {77 | AGAA_STRUCTURE_TYPE_OPTIONAL_BIT, sizeof(AgaaStructHeader), &ring};
              f.pNext = &ring;
          }},
     };

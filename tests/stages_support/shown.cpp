@@ -6,9 +6,7 @@
 
 namespace agaa::test {
 
-void addAmbient(AgaaFrame& frame) {
-    frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 0.25f;
-}
+void addAmbient(AgaaFrame& frame) { frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 0.25f; }
 
 std::vector<float> withAlpha(std::span<const float> rgb) {
     std::vector<float> rgba;
@@ -28,13 +26,9 @@ size_t nonFinite(std::span<const float> rgb) {
     return size_t(std::ranges::count_if(rgb, [](float value) { return !std::isfinite(value); }));
 }
 
-double sumOf(std::span<const float> rgb) {
-    return std::accumulate(rgb.begin(), rgb.end(), 0.0);
-}
+double sumOf(std::span<const float> rgb) { return std::accumulate(rgb.begin(), rgb.end(), 0.0); }
 
-static double toneMapped(float x) {
-    return std::pow(double(x) / (1 + double(x)), 1 / 2.2);
-}
+static double toneMapped(float x) { return std::pow(double(x) / (1 + double(x)), 1 / 2.2); }
 
 Difference compare(std::span<const float> a, std::span<const float> b) {
     double sum = 0;
@@ -48,8 +42,7 @@ Difference compare(std::span<const float> a, std::span<const float> b) {
         }
         far += most > 24.0 / 255;
     }
-    return {-10 * std::log10(std::max(sum / double(a.size()), 1e-20)),
-            3 * double(far) / double(a.size())};
+    return {-10 * std::log10(std::max(sum / double(a.size()), 1e-20)), 3 * double(far) / double(a.size())};
 }
 
 } // namespace agaa::test

@@ -59,8 +59,7 @@ auto showBy(typename Host::Context& context, ViewSettings settings, const Shot& 
 }
 
 // The host's show(context, settings, shot).
-template <class Host>
-Shown showBy(typename Host::Context& context, const ViewSettings& settings, const Shot& shot) {
+template <class Host> Shown showBy(typename Host::Context& context, const ViewSettings& settings, const Shot& shot) {
     return showBy<Host>(context, settings, shot, [&settings](typename Host::View& view) {
         const AgaaFrameStatistics statistics = view.statistics();
         Shown shown;

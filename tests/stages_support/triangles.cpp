@@ -6,8 +6,7 @@
 namespace agaa::test {
 
 glm::vec3 planeNormal(const Triangle& t) {
-    const glm::vec3 n = glm::normalize(
-        glm::cross(t.position[1] - t.position[0], t.position[2] - t.position[0]));
+    const glm::vec3 n = glm::normalize(glm::cross(t.position[1] - t.position[0], t.position[2] - t.position[0]));
     return glm::dot(n, t.position[0]) > 0 ? -n : n;
 }
 
@@ -119,20 +118,17 @@ std::vector<Triangle> randomTriangles(const RandomScene& scene, uint32_t seed) {
             // Half of them slivers that are thinner than a pixel.
             const float size = distance * uniform(random, 0.05f, 0.4f);
             const float width = random() % 2 ? size : distance * uniform(random, 0.001f, 0.02f);
-            const glm::vec3 centre(distance * uniform(random, -0.8f, 0.8f),
-                                   distance * uniform(random, -0.55f, 0.55f), -distance);
+            const glm::vec3 centre(distance * uniform(random, -0.8f, 0.8f), distance * uniform(random, -0.55f, 0.55f),
+                                   -distance);
             const glm::vec3 along =
-                size * glm::vec3(uniform(random, -1, 1), uniform(random, -1, 1),
-                                 uniform(random, -0.5f, 0.5f));
+                size * glm::vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -0.5f, 0.5f));
             const glm::vec3 across =
-                width * glm::vec3(uniform(random, -1, 1), uniform(random, -1, 1),
-                                  uniform(random, -0.5f, 0.5f));
+                width * glm::vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -0.5f, 0.5f));
             t.position[0] = centre - along;
             t.position[1] = centre + along;
             t.position[2] = centre + across;
         }
-        const glm::vec3 cross =
-            glm::cross(t.position[1] - t.position[0], t.position[2] - t.position[0]);
+        const glm::vec3 cross = glm::cross(t.position[1] - t.position[0], t.position[2] - t.position[0]);
         if (glm::length(cross) < 1e-5f)
             continue;
         t.material = randomMaterial(random);
@@ -145,10 +141,8 @@ std::vector<Triangle> randomTriangles(const RandomScene& scene, uint32_t seed) {
     return list;
 }
 
-std::vector<Triangle> rectangle(float x0, float y0, float x1, float y1, float depth,
-                                const Material& material) {
-    const glm::vec3 corners[4] = {
-        {x0, y0, -depth}, {x1, y0, -depth}, {x1, y1, -depth}, {x0, y1, -depth}};
+std::vector<Triangle> rectangle(float x0, float y0, float x1, float y1, float depth, const Material& material) {
+    const glm::vec3 corners[4] = {{x0, y0, -depth}, {x1, y0, -depth}, {x1, y1, -depth}, {x0, y1, -depth}};
     const glm::vec2 uvs[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     std::vector<Triangle> list;
     for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {

@@ -48,7 +48,6 @@ std::vector<Triangle> randomTriangles(const RandomScene& scene, uint32_t seed);
 Material randomMaterial(std::mt19937& random);
 
 // A rectangle in pixels at a depth, for pixelOrthographic.
-std::vector<Triangle> rectangle(float x0, float y0, float x1, float y1, float depth,
-                                const Material& material);
+std::vector<Triangle> rectangle(float x0, float y0, float x1, float y1, float depth, const Material& material);
 
 } // namespace agaa::test

@@ -25,8 +25,7 @@ constexpr PixelRectangle first = {4, 4, 20, 20}, second = {24, 8, 40, 28}, maske
 constexpr Run ofFirst = {0, 2}, ofSecond = {2, 2}, ofAll = {0, 100};
 // Half of the masked one's samples.
 constexpr uint64_t maskedSamples = masked.pixels() * validatedSamples / 2;
-constexpr uint64_t visibleSamples =
-    (first.pixels() + second.pixels()) * validatedSamples + maskedSamples;
+constexpr uint64_t visibleSamples = (first.pixels() + second.pixels()) * validatedSamples + maskedSamples;
 
 inline std::vector<Triangle> validatedScene() {
     std::vector<Triangle> list;
@@ -77,8 +76,7 @@ inline void reverseZ(ViewSettings& settings) {
 }
 
 template <class Host>
-AgaaFrameValidation validationOf(const ViewSettings& settings,
-                                 const std::vector<Triangle>& scene = validatedScene()) {
+AgaaFrameValidation validationOf(const ViewSettings& settings, const std::vector<Triangle>& scene = validatedScene()) {
     typename Host::Context context;
     typename Host::View view(context, settings);
     view.setTriangles(scene);
@@ -110,8 +108,7 @@ inline void expectExplanation(const AgaaFrameValidation& v, const char* words) {
     EXPECT_NE(std::string(v.explanation).find(words), std::string::npos) << v.explanation;
 }
 
-inline void expectInvalid(const AgaaFrameValidation& v, uint64_t visible, uint64_t uncovered,
-                          uint64_t overlapping) {
+inline void expectInvalid(const AgaaFrameValidation& v, uint64_t visible, uint64_t uncovered, uint64_t overlapping) {
     EXPECT_EQ(v.isValid, 0u);
     EXPECT_EQ(v.visible, visible);
     EXPECT_EQ(v.uncovered, uncovered);
@@ -130,8 +127,7 @@ inline void expectValid(const AgaaFrameValidation& v, uint64_t visible) {
     expectExplanation(v, "exactly once");
 }
 
-template <class Host>
-class ValidationTest : public testing::Test {};
+template <class Host> class ValidationTest : public testing::Test {};
 TYPED_TEST_SUITE_P(ValidationTest);
 
 TYPED_TEST_P(ValidationTest, ARightFrameIsValid) {
@@ -177,8 +173,8 @@ TYPED_TEST_P(ValidationTest, AnObjectTooManyIsMulti) {
 }
 
 TYPED_TEST_P(ValidationTest, DifferentObjectsAreBoth) {
-    const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings(
-        {.prepassSkips = ofSecond, .materialSkips = ofFirst, .noDepthTest = true}));
+    const AgaaFrameValidation v = validationOf<TypeParam>(
+        validatedSettings({.prepassSkips = ofSecond, .materialSkips = ofFirst, .noDepthTest = true}));
     const uint64_t more = second.pixels() * validatedSamples;
     expectInvalid(v, visibleSamples - more, first.pixels() * validatedSamples, more);
     EXPECT_EQ(v.invalidPixels, first.pixels() + second.pixels());
@@ -193,8 +189,7 @@ TYPED_TEST_P(ValidationTest, DifferentObjectsAreBoth) {
 
 // Positions of the material pass differ by a few units in the last place.
 TYPED_TEST_P(ValidationTest, AnotherPositionIsMissed) {
-    const AgaaFrameValidation v =
-        validationOf<TypeParam>(validatedSettings({.materialDepth = 1 + 0x1p-20f}));
+    const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings({.materialDepth = 1 + 0x1p-20f}));
     expectInvalid(v, visibleSamples, visibleSamples, 0);
     EXPECT_EQ(v.invalidPixels, first.pixels() + second.pixels() + masked.pixels());
     for (const AgaaInvalidPixel& pixel : v.pixels)
@@ -203,8 +198,7 @@ TYPED_TEST_P(ValidationTest, AnotherPositionIsMissed) {
 }
 
 TYPED_TEST_P(ValidationTest, AnotherMaskIsMissed) {
-    const AgaaFrameValidation v =
-        validationOf<TypeParam>(validatedSettings({.materialAlpha = 0.5f}));
+    const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings({.materialAlpha = 0.5f}));
     expectInvalid(v, visibleSamples, maskedSamples / 2, 0);
     EXPECT_EQ(v.invalidPixels, masked.pixels());
     for (const AgaaInvalidPixel& pixel : v.pixels) {
@@ -223,8 +217,7 @@ TYPED_TEST_P(ValidationTest, WithoutTheStencilTestDuplicatesAreTies) {
     const AgaaFrameValidation right = validationOf<TypeParam>(validatedSettings(), scene);
     expectValid(right, visibleSamples);
     EXPECT_EQ(right.ties, 0u);
-    const AgaaFrameValidation without =
-        validationOf<TypeParam>(validatedSettings({.noStencilTest = true}), scene);
+    const AgaaFrameValidation without = validationOf<TypeParam>(validatedSettings({.noStencilTest = true}), scene);
     expectValid(without, visibleSamples);
     EXPECT_EQ(without.ties, first.pixels() * validatedSamples);
 }
@@ -250,8 +243,8 @@ TYPED_TEST_P(ValidationTest, AnotherCameraMisplaces) {
 }
 
 TYPED_TEST_P(ValidationTest, NothingDrawnIsInvalid) {
-    const AgaaFrameValidation v = validationOf<TypeParam>(
-        validatedSettings({.prepassSkips = ofAll, .materialSkips = ofAll}));
+    const AgaaFrameValidation v =
+        validationOf<TypeParam>(validatedSettings({.prepassSkips = ofAll, .materialSkips = ofAll}));
     expectInvalid(v, 0, 0, 0);
     EXPECT_EQ(v.pixelCount, 0u);
     expectExplanation(v, "Nothing is visible");

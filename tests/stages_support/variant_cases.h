@@ -1,5 +1,5 @@
-// Frames with fewer facts than their view: what they show, which variant they run with, and that nothing compiles while they
-// are recorded. Each graphics API instantiates these.
+// Frames with fewer facts than their view: what they show, which variant they run with, and that nothing compiles while
+// they are recorded. Each graphics API instantiates these.
 #pragma once
 
 #include "agreement.h"
@@ -37,8 +37,7 @@ inline std::vector<Triangle> trianglesWithin(uint64_t flags) {
 }
 
 // A view of a scene with a sun, half of whose light a shadow map lets through, and ambient light.
-template <class Host>
-class FactsRig {
+template <class Host> class FactsRig {
 public:
     FactsRig(typename Host::Context& context, ViewSettings settings, const std::vector<Triangle>& triangles)
         : map_(Host::shadowMap(context, 0.5f)) {
@@ -113,12 +112,12 @@ inline ViewSettings settingsOf(const FactsWay& way) {
     return settings;
 }
 
-template <class Host>
-class VariantCases : public testing::Test {
+template <class Host> class VariantCases : public testing::Test {
 protected:
     using Rig = FactsRig<Host>;
 
-    // Frames of these facts: equal with and without a variant of their own, and like those of a view that announces no more.
+    // Frames of these facts: equal with and without a variant of their own, and like those of a view that announces no
+    // more.
     void expectEqualImages(const FactsWay& way, const std::vector<AgaaSceneFacts>& list, double bound = 0) {
         SCOPED_TRACE(std::string(way.technique) + " " + agaaTierName(way.tier) + " " + way.preset);
         const ViewSettings settings = settingsOf(way);
@@ -142,7 +141,8 @@ protected:
             expectSameImage(own, unprepared, context.caps());
             ViewSettings fewer = settings;
             fewer.facts = facts;
-            largest = std::max(largest, largestDifference(own, Rig(context, fewer, triangles).show(nullptr, facts.shadowMapCount)));
+            largest = std::max(
+                largest, largestDifference(own, Rig(context, fewer, triangles).show(nullptr, facts.shadowMapCount)));
             EXPECT_GT(sumOf(own), 0);
             least = std::min(least, largestDifference(own, prepared.show(nullptr, 1)));
         }
@@ -169,10 +169,8 @@ TYPED_TEST_P(VariantCases, SamplesShowTheEffectsOfTheFrame) {
 
 TYPED_TEST_P(VariantCases, AggregatesShowTheEffectsOfTheFrame) {
     const FactsWay ways[] = {{"agaa", 4, AGAA_TIER_GBUFFER}, // four samples compile sooner than eight
-                             {"agaa", 4, AGAA_TIER_PER_SAMPLE},
-                             {"agaa", 4, AGAA_TIER_GBUFFER, 0, "accurate"},
-                             {"agaa", 64, AGAA_TIER_FRAGMENTS},
-                             {"sbaa", 4},
+                             {"agaa", 4, AGAA_TIER_PER_SAMPLE},     {"agaa", 4, AGAA_TIER_GBUFFER, 0, "accurate"},
+                             {"agaa", 64, AGAA_TIER_FRAGMENTS},     {"sbaa", 4},
                              {"dcaa", 32, AGAA_TIER_MATERIAL_LISTS}};
     for (const FactsWay& way : ways)
         this->expectEqualImages(way, {fewerFacts[0]});
@@ -211,7 +209,8 @@ TYPED_TEST_P(VariantCases, FactsChangeEachFrameWithoutCompiling) {
             ASSERT_EQ(rig.show(list[which]), expected[which]) << frame;
             const AgaaFrameStatistics after = rig.statistics();
             ASSERT_EQ(after.compiledPipelines, before.compiledPipelines) << frame;
-            ASSERT_EQ(after.variantFlags, which < prepared.size() ? prepared[which].flags : AGAA_FACT_ALL_SHADED) << frame;
+            ASSERT_EQ(after.variantFlags, which < prepared.size() ? prepared[which].flags : AGAA_FACT_ALL_SHADED)
+                << frame;
         }
         ASSERT_EQ(rig.prepare(prepared), AGAA_OK);
         EXPECT_EQ(rig.statistics().compiledPipelines, before.compiledPipelines) << "variants that are prepared already";
@@ -224,7 +223,8 @@ TYPED_TEST_P(VariantCases, EqualVariantsSharePipelines) {
     FactsRig<TypeParam> rig(this->context, settingsOf({"ssaa", 4}), trianglesWithin(0));
     const uint32_t before = rig.statistics().compiledPipelines;
     EXPECT_EQ(before, 2u) << "cull lights, shade samples";
-    ASSERT_EQ(rig.prepare({sceneFacts(AGAA_FACT_ALL_SHADED & ~AGAA_FACT_ALPHA_MASKED, 1), sceneFacts(AGAA_FACT_ALL_SHADED, 1, 0)}),
+    ASSERT_EQ(rig.prepare({sceneFacts(AGAA_FACT_ALL_SHADED & ~AGAA_FACT_ALPHA_MASKED, 1),
+                           sceneFacts(AGAA_FACT_ALL_SHADED, 1, 0)}),
               AGAA_OK);
     EXPECT_EQ(rig.statistics().compiledPipelines, before) << "masks and lights change no compute pass";
     EXPECT_EQ(rig.statistics().variantCount, 1u);

@@ -35,10 +35,8 @@ std::vector<uint64_t> segmentCalls(bool split) {
 
 static bool isMaterialPass(uint32_t pass) { return pass != AGAA_DRAW_PASS_VISIBILITY; }
 
-std::vector<Run> drawRuns(const ViewSettings& settings, const std::vector<Triangle>& triangles,
-                          uint32_t pass) {
-    const Run& skipped = isMaterialPass(pass) ? settings.mistake.materialSkips
-                                              : settings.mistake.prepassSkips;
+std::vector<Run> drawRuns(const ViewSettings& settings, const std::vector<Triangle>& triangles, uint32_t pass) {
+    const Run& skipped = isMaterialPass(pass) ? settings.mistake.materialSkips : settings.mistake.prepassSkips;
     std::vector<Run> runs;
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         if (i - skipped.first < skipped.count)
@@ -89,12 +87,10 @@ std::string rasterisedInOrder(const ViewSettings& settings, std::string text) {
 
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked) {
     const float alpha = isMaterialPass(pass) ? settings.mistake.materialAlpha : 1;
-    return std::string("#define AGAA_ALPHA_MASKED ") + (isMasked ? "1\n" : "0\n") +
-           "#define STAGE_SHADER " + std::to_string(int(settings.shader)) + "\n" +
-           "#define STAGE_ALPHA_FACTOR " + std::to_string(alpha) + "\n" +
-           "#define STAGE_SURFACE " + settings.surface + "\n" +
-           "#define STAGE_DRAW " + std::to_string(drawNumber) + "u\n" +
-           "#define STAGE_INSTANCE_STEP " + instanceStep + "\n";
+    return std::string("#define AGAA_ALPHA_MASKED ") + (isMasked ? "1\n" : "0\n") + "#define STAGE_SHADER " +
+           std::to_string(int(settings.shader)) + "\n" + "#define STAGE_ALPHA_FACTOR " + std::to_string(alpha) + "\n" +
+           "#define STAGE_SURFACE " + settings.surface + "\n" + "#define STAGE_DRAW " + std::to_string(drawNumber) +
+           "u\n" + "#define STAGE_INSTANCE_STEP " + instanceStep + "\n";
 }
 
 AgaaLight sun() {

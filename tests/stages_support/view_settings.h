@@ -47,21 +47,21 @@ struct ViewSettings {
         PrimitiveIds,
         UvInside,
         UvAtCentre,
-        OwnDepth, // writes gl_FragDepth and discards
+        OwnDepth,       // writes gl_FragDepth and discards
         ThirdUnfetched, // says of each third triangle that it cannot be fetched
     } shader = Shader::Material;
     // GLSL statements in one line that change `AgaaSurfaceInput s` last; `position` is a plain fragment input.
     const char* surface = "";
     Mistake mistake;
     void (*build)(PlanBuilder&) = nullptr; // of the plan, in place of the technique's
-    bool fetches() const { // materials, by ids
+    bool fetches() const {                 // materials, by ids
         return config.generationTier == AGAA_TIER_IDS || config.generationTier == AGAA_TIER_FRAGMENT_LISTS ||
                config.generationTier == AGAA_TIER_FRAGMENTS;
     }
     bool hasInterlock = false; // the words of the tier interlock stay in shaders
-    uint32_t instances = 1; // each shifted by instanceStep against the one before, and a draw of its own
+    uint32_t instances = 1;    // each shifted by instanceStep against the one before, and a draw of its own
 };
-constexpr uint32_t drawNumber = 5; // of the first instance of all triangles
+constexpr uint32_t drawNumber = 5;                            // of the first instance of all triangles
 constexpr const char* instanceStep = "vec3(0.75, 0.5, -1.0)"; // GLSL
 
 // Points to the settings.
@@ -83,12 +83,11 @@ AgaaFrame nextFrame(const ViewSettings& settings, uint64_t& frameIndex);
 std::vector<uint64_t> segmentCalls(bool split);
 
 // What a pass draws, in what state and where, the mistake included.
-std::vector<Run> drawRuns(const ViewSettings& settings, const std::vector<Triangle>& triangles,
-                          uint32_t pass);
+std::vector<Run> drawRuns(const ViewSettings& settings, const std::vector<Triangle>& triangles, uint32_t pass);
 AgaaDrawState drawState(const ViewSettings& settings, const AgaaDrawState& wanted, uint32_t pass);
 glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass);
-// The text of a shader without interlock, for devices that rasterise the fragments of a pixel in order. Other text is not
-// changed.
+// The text of a shader without interlock, for devices that rasterise the fragments of a pixel in order. Other text is
+// not changed.
 std::string rasterisedInOrder(const ViewSettings& settings, std::string text);
 // Defines for the material shader.
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked);

@@ -29,9 +29,8 @@ protected:
         return {error("single", 1), error("agaa", 1), error("agaa", 2), error("agaa", 4)};
     }
     void print(const char* what, const Errors& e) const {
-        std::printf("%-24s %-11s mseTm single %.3g; of it c=1 %.4f, c=2 %.4f, c=4 %.4f\n",
-                    GetParam().name.c_str(), what, e.single, e.one / e.single, e.two / e.single,
-                    e.four / e.single);
+        std::printf("%-24s %-11s mseTm single %.3g; of it c=1 %.4f, c=2 %.4f, c=4 %.4f\n", GetParam().name.c_str(),
+                    what, e.single, e.one / e.single, e.two / e.single, e.four / e.single);
     }
 };
 
@@ -86,7 +85,8 @@ TEST_P(Accuracy, PresetsErrLessEach) {
         return f;
     };
     const Figures paper = measured("paper", AGAA_TIER_AUTO), fast = measured("fast", AGAA_TIER_GBUFFER),
-                  balanced = measured("balanced", AGAA_TIER_GBUFFER), accurate = measured("accurate", AGAA_TIER_GBUFFER);
+                  balanced = measured("balanced", AGAA_TIER_GBUFFER),
+                  accurate = measured("accurate", AGAA_TIER_GBUFFER);
     EXPECT_LT(balanced.share, fast.share);
     EXPECT_LT(accurate.share, balanced.share);
     EXPECT_LT(balanced.share, 0.9 * paper.share);
@@ -126,8 +126,8 @@ TEST(PolishedTubes, EllipticLobesErrLessThanShadingEachSample) {
     EXPECT_LT(elliptic, 0.7 * round);
 }
 
-// Fragments at 64 coverage samples, grouped by the preset `accurate`, err less than eight samples that are each shaded; with
-// lit shadows, lobes along thin tubes and cut-outs.
+// Fragments at 64 coverage samples, grouped by the preset `accurate`, err less than eight samples that are each shaded;
+// with lit shadows, lobes along thin tubes and cut-outs.
 TEST(FragmentsAtCoverageSamples, ErrLessThanEightShadedSamples) {
     for (const char* name : {"metal", "foliage"}) {
         const Scene scene = loadScene(name);

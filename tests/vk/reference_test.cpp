@@ -28,7 +28,9 @@ Scene card(AlphaMode mode, float alpha) {
         Vertex v;
         v.position = glm::vec3(corner & 1 ? 3 : -3, corner & 2 ? 3 : -3, 0);
         v.normal = glm::vec3(0, 0, 1);
-        const uint8_t own = mode == AlphaMode::Blend ? 255 : corner & 1 ? (corner & 2 ? 255 : 204) : (corner & 2 ? 51 : 0);
+        const uint8_t own = mode == AlphaMode::Blend ? 255
+                            : corner & 1             ? (corner & 2 ? 255 : 204)
+                                                     : (corner & 2 ? 51 : 0);
         v.color = glm::u8vec4(255, 255, 255, own);
         scene.vertices.push_back(v);
     }
@@ -58,7 +60,8 @@ double cutoutCoverage(uint32_t px, uint32_t py) {
     int covered = 0;
     const double half = std::tan(glm::radians(30.0));
     for (int i = 0; i < side * side; ++i) {
-        const double u = (px + (i % side + 0.5) / side) / width * 2 - 1, v = 1 - (py + (i / side + 0.5) / side) / height * 2;
+        const double u = (px + (i % side + 0.5) / side) / width * 2 - 1,
+                     v = 1 - (py + (i / side + 0.5) / side) / height * 2;
         const double x = u * half * width / height, y = v * half;
         covered += 0.8 * (x + 3) / 6 + 0.2 * (y + 3) / 6 >= 0.5;
     }
@@ -134,7 +137,8 @@ double meanRatio(const Image& a, const Image& b) {
     return sum / double(a.rgb.size());
 }
 
-// Materials by id are not rounded. Of the specular reflectance 0.04, 10 bits make 0.0401, and less if they are truncated.
+// Materials by id are not rounded. Of the specular reflectance 0.04, 10 bits make 0.0401, and less if they are
+// truncated.
 TEST(ReferenceImage, SpecularReflectanceIsNotRounded) {
     Scene scene = card(AlphaMode::Opaque, 1);
     scene.materials[0].emissive = glm::vec3(0);
@@ -151,7 +155,8 @@ TEST(ReferenceImage, SpecularReflectanceIsNotRounded) {
     const Image byId = sharedRenderer().render(settings).image;
     EXPECT_NEAR(meanRatio(reference, byId), 1, 3e-4);
     settings.config.technique = "ssaa";
-    EXPECT_NEAR(meanRatio(sharedRenderer().render(settings).image, byId), 1, 0.25 / 1023 / 0.04); // its own code is nearest
+    EXPECT_NEAR(meanRatio(sharedRenderer().render(settings).image, byId), 1,
+                0.25 / 1023 / 0.04); // its own code is nearest
 }
 
 } // namespace

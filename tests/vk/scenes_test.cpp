@@ -42,9 +42,7 @@ TEST_P(Scenes, EveryVisibleSampleIsAccumulatedOnce) {
     }
 }
 
-TEST_P(Scenes, TiersAgree) {
-    expectTiersAgree(sharedRenderer(), settings(), GetParam().name.c_str());
-}
+TEST_P(Scenes, TiersAgree) { expectTiersAgree(sharedRenderer(), settings(), GetParam().name.c_str()); }
 
 TEST_P(Scenes, WaysAgree) {
     if (GetParam().name != "bamboo" && GetParam().name != "metal")

@@ -82,11 +82,13 @@ public:
         description.desc.pNext = &description.gl;
         const AgaaResult result = sdk.agaaGlCreateContext(headerVersion, &description.desc, outContext);
         if (result == AGAA_OK)
-            dialectOfContext_[*outContext] = {description.gl.glslVersion, description.gl.outputs == AGAA_GL_OUTPUTS_HOST};
+            dialectOfContext_[*outContext] = {description.gl.glslVersion,
+                                              description.gl.outputs == AGAA_GL_OUTPUTS_HOST};
         return result;
     }
 
-    AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView) override {
+    AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc,
+                          AgaaView* outView) override {
         const AgaaResult result = sdk.agaaGlCreateView(context, desc, outView);
         if (result == AGAA_OK)
             adopt(context, *outView);
@@ -218,8 +220,8 @@ AgaaResult OpenGlDevice::draw(const AgaaDrawTarget& target) {
     return AGAA_OK;
 }
 
-void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs, const AgaaDrawTarget& target,
-                             const AgaaDrawState& state) const {
+void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs,
+                             const AgaaDrawTarget& target, const AgaaDrawState& state) const {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, GLsizei(target.width), GLsizei(target.height));
     setDrawState(state, mistakes.blends);
@@ -232,20 +234,20 @@ void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlPr
         glUseProgram(program);
         glUniformMatrix4fv(0, 1, GL_FALSE, clipFromShading_);
         if (target.constants) // the location is -1, which OpenGL ignores, if the program does not use it
-            glUniform4fv(glGetUniformLocation(program, "agaa_constants"), GLsizei(target.constantCount), target.constants);
+            glUniform4fv(glGetUniformLocation(program, "agaa_constants"), GLsizei(target.constantCount),
+                         target.constants);
         if (!state.vertexPulling) {
             glDrawArrays(GL_TRIANGLES, GLint(range.first), GLsizei(range.count));
             continue;
         }
         glUniform1ui(glGetUniformLocation(program, "firstTriangle"), range.first / 3);
-        glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, stripVertices, GLsizei(range.count / 3), range.first / 3);
+        glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, stripVertices, GLsizei(range.count / 3),
+                                          range.first / 3);
     }
 }
 
 } // namespace
 
-std::unique_ptr<Device> makeOpenGlDevice(const std::string& name) {
-    return std::make_unique<OpenGlDevice>(name);
-}
+std::unique_ptr<Device> makeOpenGlDevice(const std::string& name) { return std::make_unique<OpenGlDevice>(name); }
 
 } // namespace agaa::conformance

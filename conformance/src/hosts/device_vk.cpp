@@ -67,7 +67,8 @@ public:
         return result;
     }
 
-    AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView) override {
+    AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc,
+                          AgaaView* outView) override {
         const AgaaResult result = sdk.agaaVkCreateView(context, desc, outView);
         if (result == AGAA_OK)
             adopt(context, *outView);
@@ -82,7 +83,8 @@ public:
 
     AgaaResult getDeviceCaps(const Functions& sdk, const AgaaLog* log, AgaaDeviceCaps* outCaps) override {
         return sdk.agaaVkGetDeviceCaps(api_.instance, api_.physicalDevice,
-                                       reinterpret_cast<AgaaVkGetInstanceProcAddr>(vkGetInstanceProcAddr), log, outCaps);
+                                       reinterpret_cast<AgaaVkGetInstanceProcAddr>(vkGetInstanceProcAddr), log,
+                                       outCaps);
     }
 
     void prepare(const Functions& sdk, AgaaView view) override { pipelines_.prepare(sdk, view, setOfView_[view]); }
@@ -96,10 +98,11 @@ public:
 
     void setOutput(uint32_t width, uint32_t height) override {
         if (!output_ || output_->width != width || output_->height != height) {
-            output_ = std::make_unique<VulkanImage>(api_, width, height, 1, outputFormat,
-                                                    VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                                                        VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                                                    VK_IMAGE_VIEW_TYPE_2D);
+            output_ =
+                std::make_unique<VulkanImage>(api_, width, height, 1, outputFormat,
+                                              VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                                  VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                              VK_IMAGE_VIEW_TYPE_2D);
             imageBarrier(commands_.begin(), *output_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
             commands_.submit();
         }
@@ -122,7 +125,8 @@ public:
         region.imageExtent = {output_->width, output_->height, 1};
         const VkCommandBuffer commands = commands_.begin();
         imageBarrier(commands, *output_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-        vkCmdCopyImageToBuffer(commands, output_->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer, 1, &region);
+        vkCmdCopyImageToBuffer(commands, output_->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer, 1,
+                               &region);
         imageBarrier(commands, *output_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_GENERAL);
         allBarrier(commands);
         commands_.submit();
@@ -139,7 +143,8 @@ public:
         const VkClearDepthStencilValue value = {depth, 0};
         const VkImageSubresourceRange range = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, 0, AGAA_MAX_SHADOW_LAYERS};
         vkCmdClearDepthStencilImage(commands, shadow_->image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
-        imageBarrier(commands, *shadow_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        imageBarrier(commands, *shadow_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         commands_.submit();
     }
 
@@ -154,9 +159,9 @@ private:
     }
 
     VkBuffer upload(const Scene& scene) {
-        uploads_.push_back(std::make_unique<VulkanBuffer>(api_, sceneBytes(scene),
-                                                          VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                              VK_BUFFER_USAGE_TRANSFER_DST_BIT));
+        uploads_.push_back(std::make_unique<VulkanBuffer>(
+            api_, sceneBytes(scene),
+            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT));
         writeScene(uploads_.back()->mapped, clipFromShading_, scene);
         return uploads_.back()->buffer;
     }
@@ -200,8 +205,8 @@ AgaaResult VulkanDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& 
     vertices_ = upload(scene);
     functionSet_.write(vertices_);
     if (mistakes.forgetsBarrier && !scene.empty()) // copies without a barrier
-        vkCmdUpdateBuffer(commands, vertices_, matrixBytes, std::min<size_t>(scene.size() * sizeof(Vertex), 65536) & ~size_t(3),
-                          scene.data());
+        vkCmdUpdateBuffer(commands, vertices_, matrixBytes,
+                          std::min<size_t>(scene.size() * sizeof(Vertex), 65536) & ~size_t(3), scene.data());
     AgaaVkFrame native = AGAA_VK_FRAME_INIT;
     native.commandBuffer = commands;
     native.outputImage = (uint64_t)output_->image;
@@ -246,10 +251,12 @@ AgaaResult VulkanDevice::draw(const AgaaDrawTarget& target) {
     vkCmdSetScissor(commands, 0, 1, &scissor);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->layout, setOfView_[view_], 1, &set, 0,
                             nullptr);
-    vkCmdPushConstants(commands, pipeline->layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clipFromShading_, clipFromShading_);
+    vkCmdPushConstants(commands, pipeline->layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clipFromShading_,
+                       clipFromShading_);
     vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
     for (const DrawRange& range : drawRanges(*scene)) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, range.isMasked ? pipeline->masked : pipeline->opaque);
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                          range.isMasked ? pipeline->masked : pipeline->opaque);
         if (target.state.vertexPulling)
             vkCmdDraw(commands, stripVertices, range.count / 3, 0, range.first / 3);
         else

@@ -26,8 +26,7 @@ std::vector<DrawRange> drawRanges(const Scene& scene);
 void clipFromShading(const AgaaFrame& frame, const Mistakes& mistakes, float* matrix);
 
 // Returns the passes of a view. Native is AgaaVkDrawPass or AgaaGlDrawPass.
-template <class Native>
-struct DrawPasses {
+template <class Native> struct DrawPasses {
     std::vector<AgaaDrawPass> passes;
     std::vector<Native> natives;
 

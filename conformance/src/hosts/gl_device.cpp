@@ -20,11 +20,13 @@ std::vector<EGLDisplay> findDisplays() {
         displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
     const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     EGLint count = 0;
-    if (queryDevices && hasClientExtension("EGL_EXT_platform_device") && queryDevices(0, nullptr, &count) && count > 0) {
+    if (queryDevices && hasClientExtension("EGL_EXT_platform_device") && queryDevices(0, nullptr, &count) &&
+        count > 0) {
         std::vector<EGLDeviceEXT> devices(static_cast<size_t>(count));
         queryDevices(count, devices.data(), &count);
         for (EGLint i = 0; i < count; ++i)
-            displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(i)], nullptr));
+            displays.push_back(
+                eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(i)], nullptr));
     }
     displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
     return displays;
@@ -61,9 +63,7 @@ OpenGlApi::OpenGlApi(const std::string& name) {
     glDebugMessageCallback(onMessage, this);
 }
 
-OpenGlApi::~OpenGlApi() {
-    destroy();
-}
+OpenGlApi::~OpenGlApi() { destroy(); }
 
 // Makes the context current.
 bool OpenGlApi::create(EGLDisplay display) {

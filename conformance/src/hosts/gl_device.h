@@ -40,8 +40,8 @@ public:
 private:
     bool create(EGLDisplay display);
     void destroy() const;
-    static void APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* text,
-                                   const void* user);
+    static void APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
+                                   const GLchar* text, const void* user);
 
     const CurrentOpenGl earlier_;
     EGLDisplay display_ = EGL_NO_DISPLAY;

@@ -56,7 +56,9 @@ void attach(GLuint program, GLenum stage, const std::string& text) {
 
 // Returns an empty text for passes that need none.
 std::string geometryText(const AgaaDrawPass& pass, const ShaderDialect& dialect) {
-    return pass.glslGeometry ? versionText(dialect.glslVersion) + pass.glslExtensions + pass.glslGeometry + geometryShader : "";
+    return pass.glslGeometry
+               ? versionText(dialect.glslVersion) + pass.glslExtensions + pass.glslGeometry + geometryShader
+               : "";
 }
 
 std::string vertexText(const AgaaDrawPass& pass, const ShaderDialect& dialect) {

@@ -114,7 +114,8 @@ void main() {
 
 // AgaaFetchFunction::glsl, with the binding of the buffer of writeScene(). The words of the buffer are those of Vertex.
 inline std::string fetchShader(const char* place) {
-    return std::string("layout(std430, ") + place + R"() readonly buffer SceneBlock { mat4 clipFromShading; float words[]; } scene;
+    return std::string("layout(std430, ") + place +
+           R"() readonly buffer SceneBlock { mat4 clipFromShading; float words[]; } scene;
 vec3 sceneVector(uint vertex, uint word) {
     uint first = 18u * vertex + word;
     return vec3(scene.words[first], scene.words[first + 1u], scene.words[first + 2u]);

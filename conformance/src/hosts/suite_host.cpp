@@ -52,7 +52,8 @@ void addQuad(Scene& scene, const Corner (&corners)[4], const Surface& surface, f
 Scene engineScene() {
     Scene scene;
     addQuad(scene, {{-8, -6, -9}, {8, -6, -9}, {8, 6, -11}, {-8, 6, -11}}, {.diffuse = {0.8f, 0.7f, 0.2f, 1}}, 1);
-    addQuad(scene, {{-3, -2, -6}, {1.5f, -2, -5}, {1.5f, 2.5f, -5}, {-3, 2.5f, -6}}, {.diffuse = {0.2f, 0.4f, 0.9f, 1}}, 1);
+    addQuad(scene, {{-3, -2, -6}, {1.5f, -2, -5}, {1.5f, 2.5f, -5}, {-3, 2.5f, -6}}, {.diffuse = {0.2f, 0.4f, 0.9f, 1}},
+            1);
     addQuad(scene, {{-0.5f, -1.5f, -3.5f}, {2, -1.2f, -4}, {2, 1, -4}, {-0.5f, 0.7f, -3.5f}},
             {.diffuse = {0.9f, 0.1f, 0.3f, 1}}, 1);
     addQuad(scene, {{-1.2f, -1, -2.5f}, {0.6f, -1, -2.5f}, {0.6f, 0.8f, -2.5f}, {-1.2f, 0.8f, -2.5f}},
@@ -116,7 +117,8 @@ void SuiteHost::releaseView(void* user, AgaaView view) { static_cast<SuiteHost*>
 AgaaResult SuiteHost::renderFrame(void* user, AgaaView view, AgaaFrame* frame, float* outPixels) {
     auto& self = *static_cast<SuiteHost*>(user);
     setCamera(*frame, self.desc_.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE);
-    const AgaaResult result = self.device_.record(self.sdk_, view, *frame, self.isMaskedHidden_ ? self.opaque_ : self.scene_);
+    const AgaaResult result =
+        self.device_.record(self.sdk_, view, *frame, self.isMaskedHidden_ ? self.opaque_ : self.scene_);
     if (result == AGAA_OK) {
         const std::vector<float> pixels = self.device_.readOutput();
         std::copy(pixels.begin(), pixels.end(), outPixels);
@@ -124,7 +126,9 @@ AgaaResult SuiteHost::renderFrame(void* user, AgaaView view, AgaaFrame* frame, f
     return result;
 }
 
-void SuiteHost::hideMasked(void* user, uint32_t isHidden) { static_cast<SuiteHost*>(user)->isMaskedHidden_ = isHidden != 0; }
+void SuiteHost::hideMasked(void* user, uint32_t isHidden) {
+    static_cast<SuiteHost*>(user)->isMaskedHidden_ = isHidden != 0;
+}
 
 const char* SuiteHost::takeMessages(void* user) {
     auto& self = *static_cast<SuiteHost*>(user);

@@ -13,8 +13,8 @@ constexpr const char* validationLayer = "VK_LAYER_KHRONOS_validation";
 
 // Members of VkPhysicalDeviceFeatures by the names of agaaVkGetRequirements.
 VkBool32* featureOf(VkPhysicalDeviceFeatures& features, const std::string& name) {
-#define FEATURE(member)    \
-    if (name == #member)   \
+#define FEATURE(member)                                                                                                \
+    if (name == #member)                                                                                               \
         return &features.member;
     // clang-format takes a list of macros for one expression.
     // clang-format off
@@ -33,13 +33,14 @@ VkBool32* featureOf(VkPhysicalDeviceFeatures& features, const std::string& name)
     FEATURE(shaderInt16) FEATURE(shaderResourceResidency) FEATURE(shaderResourceMinLod)
     // clang-format on
 #undef FEATURE
-    return nullptr;
+                                                                                return nullptr;
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT types,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     // General messages of the loader and of drivers are skipped.
-    const auto checked = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+    const auto checked =
+        VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
     if (types & checked)
         static_cast<Messages*>(user)->add(data->pMessage ? data->pMessage : "");
     return VK_FALSE;
@@ -48,7 +49,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
 VkDebugUtilsMessengerCreateInfoEXT messengerInfo(Messages& messages) {
     VkDebugUtilsMessengerCreateInfoEXT info{};
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-    info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    info.messageSeverity =
+        VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
                        VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
     info.pfnUserCallback = onMessage;
@@ -78,7 +80,8 @@ bool hasDeviceExtension(VkPhysicalDevice device, const char* name) {
 
 void checkVk(VkResult result, const char* call) {
     if (result < 0)
-        throw std::runtime_error(std::string(call) + " returns VkResult " + std::to_string(result) + " to the suite's host.");
+        throw std::runtime_error(std::string(call) + " returns VkResult " + std::to_string(result) +
+                                 " to the suite's host.");
 }
 
 void Messages::add(const std::string& text) {
@@ -151,8 +154,8 @@ void VulkanApi::createInstance() {
     if (!isValidated)
         return;
     const VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(messages);
-    checkVk(reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
-                vkGetInstanceProcAddr(instance, "vkCreateDebugUtilsMessengerEXT"))(instance, &messenger, nullptr, &messenger_),
+    checkVk(reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(vkGetInstanceProcAddr(
+                instance, "vkCreateDebugUtilsMessengerEXT"))(instance, &messenger, nullptr, &messenger_),
             "vkCreateDebugUtilsMessengerEXT");
 }
 

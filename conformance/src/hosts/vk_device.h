@@ -38,10 +38,10 @@ public:
     uint32_t queueFamily = 0;
     uint32_t apiVersion = VK_API_VERSION_1_2;
     VkPhysicalDeviceFeatures2 enabledFeatures{};
-    VkPhysicalDeviceVulkan13Features features13{};             // chained if it is used
-    VkPhysicalDeviceDynamicRenderingFeatures dynamicRendering{}; // chained if it is used
-    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering{}; // chained if it is used
-    VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock{};         // chained if it is used
+    VkPhysicalDeviceVulkan13Features features13{};                                   // chained if it is used
+    VkPhysicalDeviceDynamicRenderingFeatures dynamicRendering{};                     // chained if it is used
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering{};          // chained if it is used
+    VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock{};                  // chained if it is used
     VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT attachmentOrder{}; // chained if it is used
     std::vector<const char*> enabledExtensions;
     std::string deviceName, driverName;

@@ -13,10 +13,12 @@ struct Attribute {
     VkFormat format;
     uint32_t offset;
 };
-constexpr Attribute attributes[] = {
-    {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},  {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
-    {VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, diffuse)}, {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, specular)},
-    {VK_FORMAT_R32_SFLOAT, offsetof(Vertex, roughness)},       {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, emissive)}};
+constexpr Attribute attributes[] = {{VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
+                                    {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
+                                    {VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, diffuse)},
+                                    {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, specular)},
+                                    {VK_FORMAT_R32_SFLOAT, offsetof(Vertex, roughness)},
+                                    {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, emissive)}};
 
 VkPipelineDepthStencilStateCreateInfo depthStencilState(const AgaaDrawState& state, bool isMasked) {
     constexpr VkCompareOp compareOps[] = {VK_COMPARE_OP_LESS, VK_COMPARE_OP_GREATER, VK_COMPARE_OP_EQUAL,
@@ -159,8 +161,8 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
     if (pass.glslGeometry)
         addStage(VK_SHADER_STAGE_GEOMETRY_BIT, std::string(pass.glslExtensions) + pass.glslGeometry + geometryShader);
     addStage(VK_SHADER_STAGE_FRAGMENT_BIT, std::string(pass.glslExtensions) +
-                                               (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") + pass.glslDeclarations +
-                                               fragmentShader);
+                                               (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") +
+                                               pass.glslDeclarations + fragmentShader);
     VkVertexInputBindingDescription binding = {0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
     std::vector<VkVertexInputAttributeDescription> inputs;
     for (const Attribute& attribute : attributes)
@@ -196,7 +198,8 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
                                                                    blendState(state, mistakes_.blends));
     VkPipelineColorBlendStateCreateInfo blend{};
     blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
-    blend.flags = state.readsAttachments ? VK_PIPELINE_COLOR_BLEND_STATE_CREATE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_BIT_EXT : 0;
+    blend.flags =
+        state.readsAttachments ? VK_PIPELINE_COLOR_BLEND_STATE_CREATE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_BIT_EXT : 0;
     blend.attachmentCount = state.colorAttachmentCount;
     blend.pAttachments = targets.data();
     const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};

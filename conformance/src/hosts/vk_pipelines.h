@@ -30,7 +30,8 @@ private:
     using Key = std::pair<AgaaView, uint64_t>; // null and the pass with Mistakes::keysByPass
     Key keyOf(AgaaView view, uint64_t pipelineKey, uint32_t pass) const;
     VulkanPipeline create(const AgaaDrawPass& pass, const AgaaVkDrawPass& native, uint32_t descriptorSet);
-    VkPipeline createOne(const AgaaDrawPass& pass, const AgaaVkDrawPass& native, VkPipelineLayout layout, bool isMasked);
+    VkPipeline createOne(const AgaaDrawPass& pass, const AgaaVkDrawPass& native, VkPipelineLayout layout,
+                         bool isMasked);
     void destroy(const VulkanPipeline& pipeline) const;
 
     const VulkanApi& api_;

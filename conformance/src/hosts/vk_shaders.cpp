@@ -40,9 +40,9 @@ VkShaderModule VulkanShaders::find(VkShaderStageFlagBits vkStage, const std::str
     input.messages = glslang_messages_t(messages);
     input.resource = glslang_default_resource();
     const std::unique_ptr<glslang_shader_t, void (*)(glslang_shader_t*)> shader(glslang_shader_create(&input),
-                                                                              glslang_shader_delete);
+                                                                                glslang_shader_delete);
     const std::unique_ptr<glslang_program_t, void (*)(glslang_program_t*)> program(glslang_program_create(),
-                                                                                glslang_program_delete);
+                                                                                   glslang_program_delete);
     if (!glslang_shader_preprocess(shader.get(), &input) || !glslang_shader_parse(shader.get(), &input))
         throw std::runtime_error(std::string("a shader of the suite's host does not compile: ") +
                                  glslang_shader_get_info_log(shader.get()));

@@ -46,9 +46,10 @@ void checkRepeats(Test& test, HostTest& hostTest) {
     EngineView view(test, hostTest, oneSample);
     const Image first = view.renderAlbedo(), second = view.renderAlbedo(), third = view.renderAlbedo();
     const double share = std::max(differingShare(first, second, 0), differingShare(first, third, 0));
-    if (!test.check(share == 0, percent(share) +
-                                    " of the image differ between frames of the same scene. Usual causes: the scene moves, or "
-                                    "a buffer of the host is not initialised."))
+    if (!test.check(share == 0,
+                    percent(share) +
+                        " of the image differ between frames of the same scene. Usual causes: the scene moves, or "
+                        "a buffer of the host is not initialised."))
         hostTest.blockedBy = "integration/repeated_frames";
 }
 
@@ -64,8 +65,9 @@ void checkKeys(Test& test, HostTest& hostTest) {
     EngineView second(test, hostTest, choice);
     const double share = differingShare(first.renderAlbedo(), second.renderAlbedo());
     if (!test.check(share <= maxDifferingShare,
-                    percent(share) + " of the image differ between two layouts. Usual cause: pipelines are kept by pass or by "
-                                     "name. Keep them by AgaaDrawPass::pipelineKey."))
+                    percent(share) +
+                        " of the image differ between two layouts. Usual cause: pipelines are kept by pass or by "
+                        "name. Keep them by AgaaDrawPass::pipelineKey."))
         hostTest.blockedBy = "integration/pipeline_keys";
 }
 
@@ -78,10 +80,11 @@ void checkSets(Test& test, HostTest& hostTest) {
     const Image image = second.renderAlbedo();
     const double share = differingShare(expected, image, 0);
     const AgaaFrameValidation before = first.validate(), after = second.validate();
-    if (!test.check(share == 0 && after.once == before.once,
-                    percent(share) + " of the image differ between two views of the same configuration" + figures(after) +
-                        ". Usual cause: the host binds the descriptor set or the framebuffer of an earlier view or frame. "
-                        "Use AgaaDrawTarget::descriptorSet and AgaaDrawTarget::framebuffer of each callback."))
+    if (!test.check(
+            share == 0 && after.once == before.once,
+            percent(share) + " of the image differ between two views of the same configuration" + figures(after) +
+                ". Usual cause: the host binds the descriptor set or the framebuffer of an earlier view or frame. "
+                "Use AgaaDrawTarget::descriptorSet and AgaaDrawTarget::framebuffer of each callback."))
         hostTest.blockedBy = "integration/descriptor_sets";
 }
 
@@ -114,19 +117,22 @@ void checkNormals(Test& test, HostTest& hostTest) {
         shown += a > 0.01f;
         dark += a > 0.01f && h < 0.02f * a;
     }
-    test.require(shown > 0, "Nothing is brighter than 0.01 in ambient light of 1: the albedo of all surfaces is black.");
-    test.check(dark * 2 <= shown, percent(double(dark) / double(shown)) +
-                                      " of the visible pixels are dark in a light that shines from the camera. Usual cause: "
-                                      "AgaaSurfaceInput::normal points away from the eye, or is not in shading space.");
+    test.require(shown > 0,
+                 "Nothing is brighter than 0.01 in ambient light of 1: the albedo of all surfaces is black.");
+    test.check(dark * 2 <= shown,
+               percent(double(dark) / double(shown)) +
+                   " of the visible pixels are dark in a light that shines from the camera. Usual cause: "
+                   "AgaaSurfaceInput::normal points away from the eye, or is not in shading space.");
 }
 
 void checkFinite(Test& test, HostTest& hostTest) {
     EngineView view(test, hostTest, oneSample);
     view.renderAlbedo();
     const AgaaCounters counters = view.counters();
-    test.check(counters.sanitised == 0, std::to_string(counters.sanitised) +
-                                            " fragments have an attribute that is not finite. Usual causes: normals of length "
-                                            "0 that are normalised, or roughness and colours that are computed by a division.");
+    test.check(counters.sanitised == 0,
+               std::to_string(counters.sanitised) +
+                   " fragments have an attribute that is not finite. Usual causes: normals of length "
+                   "0 that are normalised, or roughness and colours that are computed by a division.");
 }
 
 } // namespace
@@ -136,11 +142,12 @@ Suite makeHostChecks(const AgaaConformanceHost& host, const Functions& functions
     const struct {
         const char* name;
         void (*check)(Test&, HostTest&);
-    } checks[] = {{"frames", checkFrames},           {"repeated_frames", checkRepeats},    {"pipeline_keys", checkKeys},
-                  {"descriptor_sets", checkSets},    {"messages", checkMessages},          {"camera", checkCamera},
-                  {"depth_test", checkDepthTest},    {"same_geometry", checkSameGeometry}, {"alpha_masks", checkAlphaMasks},
-                  {"blending", checkBlending},       {"drawn_once", checkDrawnOnce},       {"normals", checkNormals},
-                  {"finite_attributes", checkFinite}};
+    } checks[] = {
+        {"frames", checkFrames},           {"repeated_frames", checkRepeats},    {"pipeline_keys", checkKeys},
+        {"descriptor_sets", checkSets},    {"messages", checkMessages},          {"camera", checkCamera},
+        {"depth_test", checkDepthTest},    {"same_geometry", checkSameGeometry}, {"alpha_masks", checkAlphaMasks},
+        {"blending", checkBlending},       {"drawn_once", checkDrawnOnce},       {"normals", checkNormals},
+        {"finite_attributes", checkFinite}};
     auto hostTest = std::make_shared<HostTest>(HostTest{host, functions});
     Suite suite;
     for (const auto& [name, check] : checks)

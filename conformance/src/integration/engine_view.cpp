@@ -68,7 +68,8 @@ EngineView::EngineView(Test& test, HostTest& hostTest, const ViewChoice& choice)
     if (created == AGAA_ERROR_UNSUPPORTED)
         test.skip(what + " is not supported here.");
     test.requireOk(created, what);
-    const AgaaResult prepared = hostTest.host.prepareView ? hostTest.host.prepareView(hostTest.host.user, view_) : AGAA_OK;
+    const AgaaResult prepared =
+        hostTest.host.prepareView ? hostTest.host.prepareView(hostTest.host.user, view_) : AGAA_OK;
     if (prepared != AGAA_OK) {
         sdk.agaaDestroyView(view_);
         test.requireOk(prepared, what + ": prepareView");

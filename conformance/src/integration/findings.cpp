@@ -55,8 +55,8 @@ const Findings& findingsOf(Test& test, HostTest& hostTest) {
 
 std::string figures(const AgaaFrameValidation& v) {
     std::ostringstream text;
-    text << " (visible " << v.visible << ", uncovered " << v.uncovered << ", overlapping " << v.overlapping << ", misplaced "
-         << v.misplaced << ")";
+    text << " (visible " << v.visible << ", uncovered " << v.uncovered << ", overlapping " << v.overlapping
+         << ", misplaced " << v.misplaced << ")";
     return text.str();
 }
 

@@ -26,15 +26,17 @@ static const Findings& findingsOfTwoPasses(Test& test, HostTest& hostTest) {
 
 void checkDepthTest(Test& test, HostTest& hostTest) {
     const Findings& found = findingsOfTwoPasses(test, hostTest);
-    if (!test.check(!found.missesAll(), "The material pass writes none of the visible samples" + figures(found.twoPasses) +
-                                            ". Usual causes: the depth test is not AgaaDrawState::depthCompare, which is EQUAL "
-                                            "there, or positions differ in the last bit (`invariant gl_Position`)."))
+    if (!test.check(!found.missesAll(),
+                    "The material pass writes none of the visible samples" + figures(found.twoPasses) +
+                        ". Usual causes: the depth test is not AgaaDrawState::depthCompare, which is EQUAL "
+                        "there, or positions differ in the last bit (`invariant gl_Position`)."))
         return;
     if (!found.isCovered())
         test.skip("it cannot be judged while the passes draw other geometry or other masks.");
     const double share = found.twoPassesAgainstGBuffer;
     if (!test.check(share <= maxDifferingShare || found.isWrittenOnce(),
-                    percent(share) + " of the image differ between \"agaa\" and \"ssaa\", and without the stencil test " +
+                    percent(share) +
+                        " of the image differ between \"agaa\" and \"ssaa\", and without the stencil test " +
                         std::to_string(found.ties) +
                         " samples are written again. Usual cause: the depth test of the material pass is not "
                         "AgaaDrawState::depthCompare, which is EQUAL there: hidden surfaces show."))
@@ -42,7 +44,8 @@ void checkDepthTest(Test& test, HostTest& hostTest) {
     if (share <= maxDifferingShare && found.forwardAgainstGBuffer)
         test.check(*found.forwardAgainstGBuffer <= maxDifferingShare,
                    percent(*found.forwardAgainstGBuffer) +
-                       " of the image differ between \"msaa\" and \"ssaa\". Usual cause: the depth test of the forward pass is "
+                       " of the image differ between \"msaa\" and \"ssaa\". Usual cause: the depth test of the forward "
+                       "pass is "
                        "not AgaaDrawState::depthCompare, which is EQUAL there, or its keepFirst is not followed.");
 }
 
@@ -64,10 +67,11 @@ void checkAlphaMasks(Test& test, HostTest& hostTest) {
         test.skip("it cannot be judged while integration/depth_test or integration/blending fails.");
     if (found.isCovered())
         return; // the passes agree
-    test.check(!Findings::isCovered(*found.twoPassesUnmasked),
-               "The geometry passes agree only without alpha-masked objects" + figures(found.twoPasses) +
-                   ". Usual causes: one pass discards and the other does not, AGAA_ALPHA_MASKED is not defined in all passes, "
-                   "or alpha is not computed from the same values.");
+    test.check(
+        !Findings::isCovered(*found.twoPassesUnmasked),
+        "The geometry passes agree only without alpha-masked objects" + figures(found.twoPasses) +
+            ". Usual causes: one pass discards and the other does not, AGAA_ALPHA_MASKED is not defined in all passes, "
+            "or alpha is not computed from the same values.");
 }
 
 // The attachments of G-buffers and of the prepass hold no colours, so blended fragments corrupt them. The material pass

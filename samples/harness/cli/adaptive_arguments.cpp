@@ -5,8 +5,10 @@
 namespace harness {
 
 void AdaptiveArguments::addTo(CLI::App& app) {
-    app.add_option("--metrics", metrics, "adaptive: what calls for further samples: none, geometry, shading or geometry,shading");
-    app.add_option("--pattern", pattern, "adaptive: samples on an ordered grid or at the device's places: grid or device");
+    app.add_option("--metrics", metrics,
+                   "adaptive: what calls for further samples: none, geometry, shading or geometry,shading");
+    app.add_option("--pattern", pattern,
+                   "adaptive: samples on an ordered grid or at the device's places: grid or device");
     app.add_flag("--printed-metric", printedMetric, "adaptive: numbers of samples as in the paper");
     app.add_flag("--in-order", inOrder, "adaptive: samples in the pattern's order, as in the paper");
     app.add_flag("--equal-weights", equalWeights, "adaptive: the mean of the shaded samples, as in the paper");
@@ -14,13 +16,18 @@ void AdaptiveArguments::addTo(CLI::App& app) {
     app.add_flag("--buckets", buckets, "adaptive: numbers of samples are powers of two");
     app.add_flag("--sorted", sorted, "adaptive: pixels of like numbers of samples side by side");
     app.add_flag("--tile-maximum", tileMaximum, "adaptive: the largest number of samples in each tile");
-    app.add_flag("--sample-footprints", sampleFootprints, "adaptive by id: textures are filtered over the area of one sample");
-    app.add_option("--target-events", values.targetEvents, "adaptive: mean number of samples per pixel that frames keep; 0: none");
+    app.add_flag("--sample-footprints", sampleFootprints,
+                 "adaptive by id: textures are filtered over the area of one sample");
+    app.add_option("--target-events", values.targetEvents,
+                   "adaptive: mean number of samples per pixel that frames keep; 0: none");
     app.add_option("--count-memory", values.countMemory, "adaptive: share of mean numbers kept from frame to frame");
-    app.add_option("--depth-scale", values.depthScale, "adaptive: samples per variance of depth, with --printed-metric");
-    app.add_option("--normal-scale", values.normalScale, "adaptive: samples per spread of normals, with --printed-metric");
+    app.add_option("--depth-scale", values.depthScale,
+                   "adaptive: samples per variance of depth, with --printed-metric");
+    app.add_option("--normal-scale", values.normalScale,
+                   "adaptive: samples per spread of normals, with --printed-metric");
     app.add_option("--shading-scale", values.shadingScale, "adaptive: samples per range of luminance");
-    app.add_option("--shading-threshold", values.shadingThreshold, "adaptive: least range, as a share of the largest luminance");
+    app.add_option("--shading-threshold", values.shadingThreshold,
+                   "adaptive: least range, as a share of the largest luminance");
     app.add_option("--shading-minimum", values.shadingMinimum, "adaptive: least range of luminance");
     app.add_option("--adaptive-gloss-weight", values.glossWeight, "adaptive: of shading normals");
 }

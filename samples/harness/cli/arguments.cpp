@@ -51,7 +51,8 @@ void checkCounts(const PlanArguments& arguments, bool isCoverage) {
     const bool hasGrid = arguments.technique != "agaa" && arguments.technique != "sbaa";
     const bool isGrid = hasGrid && n == 9; // 3 by 3
     if (!isCoverage && !isGrid && (n == 0 || n > 32 || (n & (n - 1))))
-        throw BadArgument("--samples is " + std::to_string(n) + "; it can be 1, 2, 4, 8, " + (hasGrid ? "9, " : "") + "16 or 32.");
+        throw BadArgument("--samples is " + std::to_string(n) + "; it can be 1, 2, 4, 8, " + (hasGrid ? "9, " : "") +
+                          "16 or 32.");
     const uint32_t most = arguments.technique == "dcaa" ? 8 : arguments.technique == "sbaa" ? 6 : 4;
     if (arguments.aggregates < 1 || arguments.aggregates > most)
         throw BadArgument("--aggregates is " + std::to_string(arguments.aggregates) + "; it can be 1 to " +
@@ -69,8 +70,7 @@ void setTier(TechniqueConfig& config, const std::string& text, bool& isModel) {
     }
     const size_t equals = text.find('=');
     uint32_t tier = 0;
-    if (equals == std::string::npos ||
-        agaaTierFromName(text.substr(equals + 1).c_str(), &tier) != AGAA_OK)
+    if (equals == std::string::npos || agaaTierFromName(text.substr(equals + 1).c_str(), &tier) != AGAA_OK)
         throw BadArgument("--tier is \"" + text +
                           "\"; it is native, auto or stage=tier with a tier that `caps` names.");
     const std::string stage = text.substr(0, equals);
@@ -79,8 +79,7 @@ void setTier(TechniqueConfig& config, const std::string& text, bool& isModel) {
     else if (stage == "generation")
         config.generationTier = tier;
     else
-        throw BadArgument("--tier names the stage \"" + stage +
-                          "\"; it can be visibility or generation.");
+        throw BadArgument("--tier names the stage \"" + stage + "\"; it can be visibility or generation.");
 }
 
 float finite(double value, const char* option) {
@@ -95,8 +94,7 @@ Size parseSize(const std::string& text) {
     const size_t cross = text.find('x');
     if (cross == std::string::npos)
         throw BadArgument("--size is \"" + text + "\"; it is written WxH, both at least 1.");
-    return {parseDimension(text.substr(0, cross), text),
-            parseDimension(text.substr(cross + 1), text)};
+    return {parseDimension(text.substr(0, cross), text), parseDimension(text.substr(cross + 1), text)};
 }
 
 std::vector<double> parseNumbers(const std::string& text, size_t count, const char* option) {
@@ -112,8 +110,8 @@ std::vector<double> parseNumbers(const std::string& text, size_t count, const ch
         begin = end + 1;
     }
     if (numbers.size() != count || begin != text.size() + 1)
-        throw BadArgument(std::string(option) + " is \"" + text + "\"; it takes " +
-                          std::to_string(count) + " numbers with commas between them.");
+        throw BadArgument(std::string(option) + " is \"" + text + "\"; it takes " + std::to_string(count) +
+                          " numbers with commas between them.");
     return numbers;
 }
 
@@ -134,10 +132,9 @@ Camera parseCamera(const std::string& text) {
 }
 
 uint32_t parseStatePolicy(const std::string& name) {
-    return choice(name, "--state-policy",
-                  {{"restore", AGAA_GL_STATE_RESTORE},
-                   {"callbacks", AGAA_GL_STATE_CALLBACKS},
-                   {"none", AGAA_GL_STATE_NONE}});
+    return choice(
+        name, "--state-policy",
+        {{"restore", AGAA_GL_STATE_RESTORE}, {"callbacks", AGAA_GL_STATE_CALLBACKS}, {"none", AGAA_GL_STATE_NONE}});
 }
 
 uint32_t parseConstants(const std::string& name) {
@@ -175,14 +172,12 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.technique = technique.c_str();
     config.samples = arguments.samples;
     config.aggregates = arguments.aggregates;
-    config.brdf = choice(arguments.brdf, "--brdf",
-                         {{"blinn-phong", AGAA_BRDF_BLINN_PHONG}, {"ggx", AGAA_BRDF_GGX}});
-    config.ndf =
-        choice(arguments.ndf, "--ndf",
-               {{"none", AGAA_NDF_NONE}, {"toksvig", AGAA_NDF_TOKSVIG}, {"lean", AGAA_NDF_LEAN}, {"sggx", AGAA_NDF_SGGX}});
-    config.measurement.seeds = choice(
-        arguments.seeds, "--seeds",
-        {{"maximin", AGAA_SEEDS_MAXIMIN}, {"sum-of-squares", AGAA_SEEDS_SUM_OF_SQUARES}});
+    config.brdf = choice(arguments.brdf, "--brdf", {{"blinn-phong", AGAA_BRDF_BLINN_PHONG}, {"ggx", AGAA_BRDF_GGX}});
+    config.ndf = choice(
+        arguments.ndf, "--ndf",
+        {{"none", AGAA_NDF_NONE}, {"toksvig", AGAA_NDF_TOKSVIG}, {"lean", AGAA_NDF_LEAN}, {"sggx", AGAA_NDF_SGGX}});
+    config.measurement.seeds = choice(arguments.seeds, "--seeds",
+                                      {{"maximin", AGAA_SEEDS_MAXIMIN}, {"sum-of-squares", AGAA_SEEDS_SUM_OF_SQUARES}});
     config.aggregation.characteristicLength = finite(arguments.k, "--k");
     if (arguments.kPerDistance)
         config.aggregation.characteristicLengthPerDistance = finite(*arguments.kPerDistance, "--k-per-distance");
@@ -196,7 +191,8 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.measurement.shadingCost = arguments.shadingCost;
     config.aggregation.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
     config.coverage.merge =
-        choice(arguments.merge, "--merge", {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_PAPER}, {"none", AGAA_MERGE_NONE}});
+        choice(arguments.merge, "--merge",
+               {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_PAPER}, {"none", AGAA_MERGE_NONE}});
     vertexPulling = choice(arguments.expand, "--expand", {{"geometry", 0}, {"pulling", 1}});
     fitsFragmentCapacity = arguments.fragmentsPerPixel == "auto";
     if (!fitsFragmentCapacity)
@@ -222,15 +218,15 @@ Configuration::Configuration(const PlanArguments& arguments) {
     measure(arguments.noShadowFilter, AGAA_MEASURE_NO_SHADOW_FILTER);
     measure(arguments.shadowAlongDepth, AGAA_MEASURE_SHADOW_ALONG_DEPTH);
     config.measurement.debugView = choice(arguments.view, "--view",
-                              {{"none", AGAA_DEBUG_VIEW_NONE},
-                               {"events", AGAA_DEBUG_VIEW_EVENTS},
-                               {"aggregates", AGAA_DEBUG_VIEW_AGGREGATES},
-                               {"clusters", AGAA_DEBUG_VIEW_CLUSTERS},
-                               {"primitives", AGAA_DEBUG_VIEW_PRIMITIVES},
-                               {"lit", AGAA_DEBUG_VIEW_LIT},
-                               {"widened", AGAA_DEBUG_VIEW_WIDENED},
-                               {"tier", AGAA_DEBUG_VIEW_TIER},
-                               {"facts", AGAA_DEBUG_VIEW_FACTS}});
+                                          {{"none", AGAA_DEBUG_VIEW_NONE},
+                                           {"events", AGAA_DEBUG_VIEW_EVENTS},
+                                           {"aggregates", AGAA_DEBUG_VIEW_AGGREGATES},
+                                           {"clusters", AGAA_DEBUG_VIEW_CLUSTERS},
+                                           {"primitives", AGAA_DEBUG_VIEW_PRIMITIVES},
+                                           {"lit", AGAA_DEBUG_VIEW_LIT},
+                                           {"widened", AGAA_DEBUG_VIEW_WIDENED},
+                                           {"tier", AGAA_DEBUG_VIEW_TIER},
+                                           {"facts", AGAA_DEBUG_VIEW_FACTS}});
     for (const std::string& tier : arguments.tiers)
         setTier(config, tier, isModel);
     checkCounts(arguments, config.coversByEdges());

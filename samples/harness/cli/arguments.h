@@ -21,12 +21,12 @@ struct Size {
     uint32_t width = 640;
     uint32_t height = 360;
 };
-Size parseSize(const std::string& text);                  // WxH
-Camera parseCamera(const std::string& text);              // ex,ey,ez,tx,ty,tz,fovDegrees
+Size parseSize(const std::string& text);     // WxH
+Camera parseCamera(const std::string& text); // ex,ey,ez,tx,ty,tz,fovDegrees
 std::vector<double> parseNumbers(const std::string& text, size_t count, const char* option);
-uint32_t parseStatePolicy(const std::string& name);        // restore, callbacks, none
-uint32_t parseConstants(const std::string& name);          // block, uniforms, texels
-void requireBackend(const std::string& name);             // vk or gl
+uint32_t parseStatePolicy(const std::string& name); // restore, callbacks, none
+uint32_t parseConstants(const std::string& name);   // block, uniforms, texels
+void requireBackend(const std::string& name);       // vk or gl
 
 // The settings that determine a plan; memory, plan, render and reference share them.
 struct PlanArguments {
@@ -78,7 +78,7 @@ struct Configuration {
     TechniqueConfig config;
     bool vertexPulling = false;
     bool fitsFragmentCapacity = false; // --fragments-per-pixel auto: a frame determines the capacity
-    bool isModel = false; // --tier native: the papers' model, on an ideal device
+    bool isModel = false;              // --tier native: the papers' model, on an ideal device
     Size size;
 
     explicit Configuration(const PlanArguments& arguments);

@@ -130,12 +130,14 @@ void runChoose(const RenderArguments& arguments, const ChooseArguments& chosen, 
         const auto renderer = makeRenderer(rendered.device);
         renderer->load(scene);
         caps = renderer->caps();
-        const AgaaViewDesc observed = viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
+        const AgaaViewDesc observed =
+            viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
         observation = observe(*renderer, settings, observed, configuration.config);
     } else {
         caps = planningDevice(configuration, arguments.device);
     }
-    AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
+    AgaaViewDesc view =
+        viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
     view.pNext = chosen.noFetch ? nullptr : &fetch;
     AgaaChoice choice = AGAA_CHOICE_INIT;
     Sdk sdk;

@@ -37,7 +37,8 @@ MeasuredTimes readTimes(const std::string& path) {
         for (const auto& [name, row] : data.at("effects").items())
             times.ratios[name] = row.at("ratio").get<double>();
     } catch (const json::exception&) {
-        throw std::runtime_error("\"" + path + "\" is no file of times: {\"device\": NAME, \"effects\": {NAME: {\"ratio\": NUMBER}}}.");
+        throw std::runtime_error(
+            "\"" + path + "\" is no file of times: {\"device\": NAME, \"effects\": {NAME: {\"ratio\": NUMBER}}}.");
     }
     return times;
 }
@@ -85,7 +86,10 @@ json priceJson(const AgaaPrice& price) {
 }
 
 void printJson(const std::vector<AgaaPrice>& prices, const MeasuredTimes& times, const AgaaViewDesc& view) {
-    json object = {{"width", view.width}, {"height", view.height}, {"effects", json::array()}, {"samples", json::array()},
+    json object = {{"width", view.width},
+                   {"height", view.height},
+                   {"effects", json::array()},
+                   {"samples", json::array()},
                    {"aggregates", json::array()}};
     if (times.isGiven)
         object["measuredOn"] = times.device;
@@ -134,12 +138,14 @@ void printRow(const std::vector<std::string>& cells) {
 
 void printTable(const std::vector<AgaaPrice>& prices, const MeasuredTimes& times, const AgaaViewDesc& view) {
     const double pixels = double(view.width) * view.height;
-    std::printf("%ux%u pixels; bytes and traffic per pixel; events per pixel, taps and lights per event, at most; * another tier\n",
+    std::printf("%ux%u pixels; bytes and traffic per pixel; events per pixel, taps and lights per event, at most; * "
+                "another tier\n",
                 view.width, view.height);
     if (times.isGiven)
         std::printf("time: frames with the effect against frames without, on %s\n", times.device.c_str());
-    std::vector<std::string> head = {"", "on", "passes", "draws", "pipelines", "bytes", "peak", "sample bits", "aggr. bits",
-                                     "traffic", "events", "taps", "lights"};
+    std::vector<std::string> head = {"",       "on",   "passes",      "draws",      "pipelines",
+                                     "bytes",  "peak", "sample bits", "aggr. bits", "traffic",
+                                     "events", "taps", "lights"};
     if (times.isGiven)
         head.push_back("time");
     printRow(head);
@@ -179,7 +185,8 @@ void runPrice(const RenderArguments& arguments, const std::string& timesPath, bo
     const AgaaSceneFacts facts = plannedFacts(arguments, sceneGiven);
     const auto caps = planningDevice(configuration, arguments.device);
     const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0);
-    const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
+    const AgaaViewDesc view =
+        viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
     const std::vector<AgaaPrice> prices = queryPrices(view, caps ? &*caps : nullptr);
     if (asJson)
         printJson(prices, times, view);

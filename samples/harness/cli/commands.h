@@ -29,7 +29,7 @@ struct RenderArguments {
     PlanArguments plan;
     DeviceArguments device{"vk"};
     std::string scene = "bamboo";
-    std::string camera; // empty: the camera of the scene, or a default
+    std::string camera;  // empty: the camera of the scene, or a default
     uint32_t lights = 0; // lights in addition to those of the scene
     std::string jitter = "0,0";
     uint32_t frames = 1;
@@ -40,7 +40,7 @@ struct RenderArguments {
     uint32_t drawOrderSeed = 0;
     uint32_t alphaPoints = 1;
     uint32_t ditherFrame = 0;
-    uint32_t spp = 512; // reference: samples per pixel
+    uint32_t spp = 512;              // reference: samples per pixel
     std::string footprint = "pixel"; // reference: pixel or sample
     bool noCounters = false;
     bool noTimestamps = false;
@@ -90,7 +90,6 @@ std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector
 // Shared by commands that render.
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);
 Scene loadSceneArgument(const std::string& nameOrPath); // throws BadArgument if there is none
-RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration,
-                              const Scene& scene);
+RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration, const Scene& scene);
 
 } // namespace harness

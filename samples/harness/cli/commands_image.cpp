@@ -55,8 +55,8 @@ void runReference(const RenderArguments& arguments, bool asJson) {
     if (asJson)
         std::cout << out.dump(2) << '\n';
     else
-        std::printf("%u samples per pixel, split-half error %.3g linear, %.3g tone-mapped\n",
-                    arguments.spp, reference.splitHalfMse, reference.splitHalfMseTm);
+        std::printf("%u samples per pixel, split-half error %.3g linear, %.3g tone-mapped\n", arguments.spp,
+                    reference.splitHalfMse, reference.splitHalfMseTm);
 }
 
 void runCompare(const CompareArguments& arguments, bool asJson) {

@@ -17,9 +17,8 @@ using nlohmann::json;
 namespace {
 
 json surfaceJson(const AgaaSurface& s) {
-    return {{"name", s.name},     {"format", s.format}, {"samples", s.samples},
-            {"layers", s.layers}, {"width", s.width},   {"height", s.height},
-            {"bytes", s.bytes}};
+    return {{"name", s.name},   {"format", s.format}, {"samples", s.samples}, {"layers", s.layers},
+            {"width", s.width}, {"height", s.height}, {"bytes", s.bytes}};
 }
 
 // Names of the bits of AgaaDeviceCaps::flags.
@@ -76,12 +75,11 @@ void runCaps(const DeviceArguments& arguments, bool asJson) {
                {"tiers", tiers}});
         return;
     }
-    std::printf("%s, %s\nsamples per pixel: %s\nfeatures: %s\n", caps.deviceName, caps.driverName, counts.dump().c_str(),
-                featuresJson(caps.flags).dump().c_str());
+    std::printf("%s, %s\nsamples per pixel: %s\nfeatures: %s\n", caps.deviceName, caps.driverName,
+                counts.dump().c_str(), featuresJson(caps.flags).dump().c_str());
     for (const AgaaCapability& row : rows)
-        std::printf("%-7s n=%-2u %-10s %-18s %s\n", row.technique, row.samples,
-                    agaaStageName(row.stage), row.tier ? agaaTierName(row.tier) : "none",
-                    row.reason);
+        std::printf("%-7s n=%-2u %-10s %-18s %s\n", row.technique, row.samples, agaaStageName(row.stage),
+                    row.tier ? agaaTierName(row.tier) : "none", row.reason);
 }
 
 void runMemory(const PlanArguments& arguments, const DeviceArguments& device, bool asJson) {
@@ -127,7 +125,8 @@ void runPlan(const RenderArguments& arguments, bool sceneGiven, bool asJson) {
     const AgaaSceneFacts facts = plannedFacts(arguments, sceneGiven);
     const auto caps = planningDevice(configuration, arguments.device);
     const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0);
-    const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
+    const AgaaViewDesc view =
+        viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
     Sdk sdk;
     size_t size = 0;
     sdk.check(agaaPlanToJson(&view, caps ? &*caps : nullptr, sdk.log(), &size, nullptr));
@@ -156,8 +155,9 @@ void runScenes(bool asJson) {
                         {"triangles", scene.placedTriangles()},
                         {"materials", scene.materials.size()},
                         {"lights", (scene.lights.empty() ? defaultLights(scene) : scene.lights).size()},
-                        {"camera", {camera.eye.x, camera.eye.y, camera.eye.z, camera.target.x, camera.target.y, camera.target.z,
-                                    camera.fovDegrees}},
+                        {"camera",
+                         {camera.eye.x, camera.eye.y, camera.eye.z, camera.target.x, camera.target.y, camera.target.z,
+                          camera.fovDegrees}},
                         {"whatItStresses", row.stresses}});
     }
     if (asJson) {
@@ -165,12 +165,10 @@ void runScenes(bool asJson) {
         return;
     }
     for (const auto& scene : list)
-        std::printf("%-8s %8llu triangles, %2llu materials, %2llu lights: %s\n",
-                    scene["name"].get<std::string>().c_str(),
-                    static_cast<unsigned long long>(scene["triangles"]),
-                    static_cast<unsigned long long>(scene["materials"]),
-                    static_cast<unsigned long long>(scene["lights"]),
-                    scene["whatItStresses"].get<std::string>().c_str());
+        std::printf(
+            "%-8s %8llu triangles, %2llu materials, %2llu lights: %s\n", scene["name"].get<std::string>().c_str(),
+            static_cast<unsigned long long>(scene["triangles"]), static_cast<unsigned long long>(scene["materials"]),
+            static_cast<unsigned long long>(scene["lights"]), scene["whatItStresses"].get<std::string>().c_str());
 }
 
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {

@@ -55,9 +55,9 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.config = configuration.config;
     settings.width = configuration.size.width;
     settings.height = configuration.size.height;
-    settings.camera = !arguments.camera.empty()  ? parseCamera(arguments.camera)
-                      : !scene.cameras.empty() ? scene.cameras[0]
-                                               : defaultCamera(scene);
+    settings.camera = !arguments.camera.empty() ? parseCamera(arguments.camera)
+                      : !scene.cameras.empty()  ? scene.cameras[0]
+                                                : defaultCamera(scene);
     settings.lights = scene.lights.empty() ? defaultLights(scene, settings.camera) : scene.lights;
     for (const Light& light : smallLights(scene, settings.camera, arguments.lights))
         settings.lights.push_back(light);
@@ -133,19 +133,21 @@ json countersJson(const AgaaCounters& c) {
 }
 
 json factsJson(const AgaaFactReport& r) {
-    return {{"inspected", r.inspected},         {"withSpecular", r.withSpecular},       {"withEmission", r.withEmission},
-            {"alphaMasked", r.alphaMasked},     {"otherRoughness", r.otherRoughness},   {"coloredSpecular", r.coloredSpecular},
-            {"otherSpecular", r.otherSpecular}, {"withDiffuse", r.withDiffuse},         {"translucent", r.translucent},
-            {"cutouts", r.cutouts},             {"otherNormals", r.otherNormals},       {"lightCount", r.lightCount},
-            {"localLights", r.localLights},     {"shadowCount", r.shadowCount},         {"hasAmbient", r.hasAmbient != 0},
-            {"contradicted", r.contradicted},   {"sufficient", r.sufficient},           {"explanation", r.explanation}};
+    return {{"inspected", r.inspected},           {"withSpecular", r.withSpecular},
+            {"withEmission", r.withEmission},     {"alphaMasked", r.alphaMasked},
+            {"otherRoughness", r.otherRoughness}, {"coloredSpecular", r.coloredSpecular},
+            {"otherSpecular", r.otherSpecular},   {"withDiffuse", r.withDiffuse},
+            {"translucent", r.translucent},       {"cutouts", r.cutouts},
+            {"otherNormals", r.otherNormals},     {"lightCount", r.lightCount},
+            {"localLights", r.localLights},       {"shadowCount", r.shadowCount},
+            {"hasAmbient", r.hasAmbient != 0},    {"contradicted", r.contradicted},
+            {"sufficient", r.sufficient},         {"explanation", r.explanation}};
 }
 
 json messagesJson(Renderer& renderer) {
     json messages = json::array();
     for (const ApiMessage& message : renderer.takeMessages())
-        messages.push_back(
-            {{"severity", message.severity}, {"id", message.id}, {"text", message.text}});
+        messages.push_back({{"severity", message.severity}, {"id", message.id}, {"text", message.text}});
     return messages;
 }
 
@@ -174,8 +176,7 @@ Measurement measure(Renderer& renderer, RenderSettings settings, const RenderArg
     return m;
 }
 
-json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer& renderer,
-                const Size& size) {
+json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer& renderer, const Size& size) {
     const AgaaFrameStatistics& last = m.plain.statistics.back();
     json tiers = json::object();
     for (const auto& [stage, tier] : m.plain.plan.tiers)
@@ -209,10 +210,8 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
     out["timeSource"] = timeSourceName(m.timed ? m.timed->statistics.front().timeSource : 0u);
     if (m.counted) {
         const AgaaCounters& c = m.counted->statistics.back().counters;
-        out["shadingEventsPerPixel"] =
-            double(c.shadingEvents) / (double(size.width) * double(size.height));
-        out["shadingEventsPerCoveredPixel"] =
-            c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0;
+        out["shadingEventsPerPixel"] = double(c.shadingEvents) / (double(size.width) * double(size.height));
+        out["shadingEventsPerCoveredPixel"] = c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0;
         out["maxEventsPerPixel"] = c.maxEventsPerPixel;
         out["counters"] = countersJson(c);
     }
@@ -256,8 +255,9 @@ void runRender(const RenderArguments& arguments, bool asJson) {
                 out["frameMs"]["median"].get<double>(), m.plain.memory.bytesPerPixel,
                 m.plain.statistics.back().geometryPasses);
     if (arguments.switchFacts)
-        std::printf("%u variants; recorded and run in %.1f ms (median), %.1f ms at most\n", m.plain.statistics.back().variantCount,
-                    quantile(m.plain.recordToFinishMs, 0.5), quantile(m.plain.recordToFinishMs, 1));
+        std::printf("%u variants; recorded and run in %.1f ms (median), %.1f ms at most\n",
+                    m.plain.statistics.back().variantCount, quantile(m.plain.recordToFinishMs, 0.5),
+                    quantile(m.plain.recordToFinishMs, 1));
     if (m.plain.facts)
         std::printf("%s\n", m.plain.facts->explanation);
     if (configuration.fitsFragmentCapacity && out.contains("fragmentsPerPixel"))
@@ -267,8 +267,8 @@ void runRender(const RenderArguments& arguments, bool asJson) {
             std::printf("  %-20s %8.2f ms\n", pass["name"].get<std::string>().c_str(),
                         pass["ms"]["median"].get<double>());
     if (out.contains("counters"))
-        std::printf("%.3f shading events per pixel, counters %s\n",
-                    out["shadingEventsPerPixel"].get<double>(), out["counters"].dump().c_str());
+        std::printf("%.3f shading events per pixel, counters %s\n", out["shadingEventsPerPixel"].get<double>(),
+                    out["counters"].dump().c_str());
     for (const json& message : out["apiMessages"])
         std::printf("API message: %s\n", message.dump().c_str());
 }

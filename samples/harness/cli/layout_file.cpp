@@ -11,8 +11,7 @@
 
 namespace harness {
 
-static uint32_t indexOf(const std::string& name, std::initializer_list<const char*> names,
-                        const std::string& file) {
+static uint32_t indexOf(const std::string& name, std::initializer_list<const char*> names, const std::string& file) {
     uint32_t index = 0;
     for (const char* candidate : names) {
         if (name == candidate)
@@ -41,8 +40,7 @@ static AgaaLayout parseLayout(const nlohmann::json& json, const std::string& fil
         a.sampleBits = source.at("sampleBits").get<uint32_t>();
         a.aggregateBits = source.value("aggregateBits", 0u);
         a.chromaBits = source.value("chromaBits", 0u);
-        a.encoding = indexOf(source.value("encoding", std::string("unorm")),
-                             {"unorm", "ycbcr", "folded"}, file);
+        a.encoding = indexOf(source.value("encoding", std::string("unorm")), {"unorm", "ycbcr", "folded"}, file);
         a.range = source.value("range", 1.0f);
         a.filter = indexOf(source.value("filter", std::string("mean")), {"mean", "normal", "none"}, file);
         if (source.contains("name"))

@@ -20,12 +20,12 @@ namespace {
 
 void addPlanOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--technique", a.technique, "see agaa-harness caps: single, ssaa, agaa, dcaa, adaptive …");
-    app.add_option("--samples", a.samples, "n: visibility samples per pixel; dcaa: coverage samples; 9 on an ordered grid");
-    app.add_option("--aggregates", a.aggregates, "c: aggregates per pixel, 1 to 4; S: surfaces of sbaa, 1 to 6, of dcaa, 1 to 8");
+    app.add_option("--samples", a.samples,
+                   "n: visibility samples per pixel; dcaa: coverage samples; 9 on an ordered grid");
+    app.add_option("--aggregates", a.aggregates,
+                   "c: aggregates per pixel, 1 to 4; S: surfaces of sbaa, 1 to 6, of dcaa, 1 to 8");
     app.add_option("--layout", a.layout, "paper16, precise, dcaa28, reference or a JSON file");
-    app.add_option("--tier", a.tiers, "native, auto or stage=tier; repeatable")
-        ->take_all()
-        ->allow_extra_args(false);
+    app.add_option("--tier", a.tiers, "native, auto or stage=tier; repeatable")->take_all()->allow_extra_args(false);
     app.add_option("--size", a.size, "WxH");
     app.add_option("--reversed-z", a.reversedZ, "1: near is 1, far is infinite and 0");
     app.add_option("--expand", a.expand, "shaders that expand triangles to coverage samples: geometry or pulling");
@@ -43,15 +43,18 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
     app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
     app.add_option("--merge", a.merge, "dcaa: what a discarded surface gives to another, visible, paper or none");
-    app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "that lists of fragments have room for; auto: as a frame needs");
+    app.add_option("--fragments-per-pixel", a.fragmentsPerPixel,
+                   "that lists of fragments have room for; auto: as a frame needs");
     app.add_option("--max-batches", a.maxBatches, "dcaa: draws of the scene where the lists have too little room");
     app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
-    app.add_option("--coverage-pattern", a.coveragePattern, "positions of coverage samples: library, or r2 by a table of half-planes");
+    app.add_option("--coverage-pattern", a.coveragePattern,
+                   "positions of coverage samples: library, or r2 by a table of half-planes");
     app.add_option("--table-size", a.tableSize, "entries a side of the table of half-planes for r2; 0: 128");
     a.adaptive.addTo(app);
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
     app.add_flag("--lit", a.lit, "agaa by id or from a G-buffer: lit statistics for the lights with shadows");
-    app.add_flag("--buffered", a.buffered, "agaa by id or from a G-buffer: aggregates in memory, shaded by a pass of their own");
+    app.add_flag("--buffered", a.buffered,
+                 "agaa by id or from a G-buffer: aggregates in memory, shaded by a pass of their own");
     app.add_option("--unfetched-every", a.unfetchedEvery, "agaa by id: so many-th draws that cannot be fetched");
     app.add_option("--view", a.view, "show events, aggregates, clusters, primitives, lit, widened or tier");
     app.add_option("--shadow-taps", a.shadowTaps, "per aggregate, at most; 0: 8");
@@ -63,10 +66,10 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_flag("--no-shadow-filter", a.noShadowFilter);
     app.add_flag("--shadow-along-depth", a.shadowAlongDepth, "the paper's shadow taps");
     CLI::Option* preset = app.add_option("--preset", a.preset, "paper, fast, balanced or accurate: settings of agaa");
-    for (const char* decided : {"--technique", "--aggregates", "--ndf", "--seeds", "--threshold", "--surface",
-                                "--gloss-weight", "--lit", "--shadow-taps", "--split-surfaces", "--fine-materials",
-                                "--first-sample-routing", "--no-diffuse-filter", "--no-shadow-filter",
-                                "--shadow-along-depth"})
+    for (const char* decided :
+         {"--technique", "--aggregates", "--ndf", "--seeds", "--threshold", "--surface", "--gloss-weight", "--lit",
+          "--shadow-taps", "--split-surfaces", "--fine-materials", "--first-sample-routing", "--no-diffuse-filter",
+          "--no-shadow-filter", "--shadow-along-depth"})
         preset->excludes(app.get_option(decided));
 }
 
@@ -92,11 +95,13 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     addDeviceOptions(app, a.device);
     app.add_option("--scene", a.scene, "a built-in scene, blades-N, .gltf or .glb");
     app.add_option("--camera", a.camera, "ex,ey,ez,tx,ty,tz,fovDegrees");
-    app.add_option("--lights", a.lights, "number of added lights of short range, 0 to 4000")->check(CLI::Range(0u, 4000u));
+    app.add_option("--lights", a.lights, "number of added lights of short range, 0 to 4000")
+        ->check(CLI::Range(0u, 4000u));
     app.add_option("--jitter", a.jitter, "x,y in pixels");
     app.add_option("--frames", a.frames)->check(CLI::Range(1u, 100000u));
     app.add_option("--warmup", a.warmup);
-    app.add_option("--without", a.without, "specular, emissive, ambient, shadows, shading-normals or local-lights; repeatable");
+    app.add_option("--without", a.without,
+                   "specular, emissive, ambient, shadows, shading-normals or local-lights; repeatable");
     app.add_flag("--plain-facts", a.plainFacts, "as if materials and lights of the scene had nothing in common");
     app.add_option("--draw-order-seed", a.drawOrderSeed, "shuffle draws");
     app.add_option("--dither-frame", a.ditherFrame, "selects the random numbers of translucent surfaces");
@@ -115,7 +120,8 @@ void addGoalOptions(CLI::App& app, ChooseArguments& a) {
     app.add_option("--prefer", a.prefer, "what is least within the limits: time or error");
     app.add_flag("--one-geometry-pass", a.oneGeometryPass, "no settings that draw the scene more than once");
     app.add_flag("--no-fetch", a.noFetch, "without an AgaaFetchFunction");
-    app.add_option("--measured", a.measured, "JSON file of benchmark/calibrate.py: choose among its settings, by its errors and times");
+    app.add_option("--measured", a.measured,
+                   "JSON file of benchmark/calibrate.py: choose among its settings, by its errors and times");
     app.add_flag("--observe", a.observe, "render frames of --technique, or of single, and choose by what they show");
 }
 
@@ -128,14 +134,15 @@ int reportLeftovers() {
     return messages.empty() ? 0 : 1;
 }
 
-// Replaces this process by the agaa-sweep beside it. arguments: null-terminated, as of main(); the first one is replaced.
+// Replaces this process by the agaa-sweep beside it. arguments: null-terminated, as of main(); the first one is
+// replaced.
 [[noreturn]] void execSweep(char** arguments) {
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").replace_filename("agaa-sweep");
     std::string name = "agaa-sweep";
     arguments[0] = name.data();
     execv(program.c_str(), arguments);
-    throw std::runtime_error("The command sweep needs the program " + program + ", which cannot be run: " +
-                             std::strerror(errno) + ".");
+    throw std::runtime_error("The command sweep needs the program " + program +
+                             ", which cannot be run: " + std::strerror(errno) + ".");
 }
 
 int run(int argc, char** argv) {
@@ -187,7 +194,9 @@ int run(int argc, char** argv) {
     RenderArguments renderArguments;
     CLI::App* render = command("render", "render a scene through the SDK");
     addRenderOptions(*render, renderArguments);
-    render->add_option("--alpha-points", renderArguments.alphaPoints, "where cut-outs read alpha in a texel: 1, 4 or, of dcaa, which has 4 at least, 16")
+    render
+        ->add_option("--alpha-points", renderArguments.alphaPoints,
+                     "where cut-outs read alpha in a texel: 1, 4 or, of dcaa, which has 4 at least, 16")
         ->check(CLI::IsMember({1u, 4u, 16u}));
     render->add_flag("--switch-facts", renderArguments.switchFacts,
                      "each frame has other facts than the one before, whose variants are prepared");
@@ -195,11 +204,11 @@ int run(int argc, char** argv) {
     RenderArguments referenceArguments;
     CLI::App* reference = command("reference", "a jittered, accumulated reference image");
     addRenderOptions(*reference, referenceArguments);
-    reference->add_option("--footprint", referenceArguments.footprint,
-                          "what textures are filtered over: a pixel, as in all techniques, or one of the samples")
+    reference
+        ->add_option("--footprint", referenceArguments.footprint,
+                     "what textures are filtered over: a pixel, as in all techniques, or one of the samples")
         ->check(CLI::IsMember({"pixel", "sample"}));
-    reference->add_option("--spp", referenceArguments.spp, "samples per pixel")
-        ->check(CLI::Range(2u, 65536u));
+    reference->add_option("--spp", referenceArguments.spp, "samples per pixel")->check(CLI::Range(2u, 65536u));
 
     CompareArguments compareArguments;
     CLI::App* compare = command("compare", "error between two EXR images");

@@ -22,9 +22,8 @@ std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
     caps.sampleCounts = 0b101;
     caps.maxImageSize = 16384;
     caps.maxStorageRange = uint64_t(128) << 20;
-    caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
-                 AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
-                 AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8 |
+    caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |
+                 AGAA_DEVICE_DYNAMIC_RENDERING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8 |
                  (device.noGeometryShaders ? 0 : AGAA_DEVICE_GEOMETRY_SHADERS);
     return caps;
 }
@@ -56,7 +55,8 @@ AgaaSceneFacts plannedFacts(const RenderArguments& arguments, bool sceneGiven) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     if (sceneGiven) {
         const Scene scene = loadSceneArgument(arguments.scene);
-        facts = sceneFacts(scene, remainingLights(arguments, scene.lights.empty() ? defaultLights(scene) : scene.lights));
+        facts =
+            sceneFacts(scene, remainingLights(arguments, scene.lights.empty() ? defaultLights(scene) : scene.lights));
     }
     changeFacts(arguments, facts);
     return facts;

@@ -12,8 +12,8 @@ namespace {
 
 // Collects messages of medium and high severity. Lower ones are remarks. Messages on performance are skipped, too: Mesa
 // reports every shader variant that a state needs.
-void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length,
-                            const GLchar* text, const void* user) {
+void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* text,
+                            const void* user) {
     if (type == GL_DEBUG_TYPE_PERFORMANCE)
         return;
     if (severity != GL_DEBUG_SEVERITY_MEDIUM && severity != GL_DEBUG_SEVERITY_HIGH)
@@ -68,9 +68,8 @@ void Device::createContext(const RendererOptions& options) {
                                  EGL_CONTEXT_MINOR_VERSION,
                                  5,
                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 options.compatibilityProfile
-                                     ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT
-                                     : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 options.compatibilityProfile ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT
+                                                              : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_CONTEXT_OPENGL_DEBUG,
                                  options.validation ? EGL_TRUE : EGL_FALSE,
                                  EGL_NONE};
@@ -90,8 +89,7 @@ void Device::createContext(const RendererOptions& options) {
 }
 
 void Device::makeCurrent() const {
-    if (eglGetCurrentContext() != context_ &&
-        !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+    if (eglGetCurrentContext() != context_ && !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
         throw std::runtime_error("The OpenGL context could not be made current.");
 }
 
@@ -105,8 +103,8 @@ void Device::checkTextureSize(uint32_t width, uint32_t height) const {
     GLint largest = 0;
     gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (width == 0 || height == 0 || std::max(width, height) > uint32_t(largest))
-        throw std::runtime_error("OpenGL has no textures of " + std::to_string(width) + "x" +
-                                 std::to_string(height) + " pixels here.");
+        throw std::runtime_error("OpenGL has no textures of " + std::to_string(width) + "x" + std::to_string(height) +
+                                 " pixels here.");
 }
 
 // The display belongs to the process. Other devices may use it, so it is not terminated.

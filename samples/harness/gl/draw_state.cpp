@@ -32,9 +32,7 @@ void setDrawState(const GladGLContext& gl, const AgaaDrawState& state) {
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(compareFunction(state.depthCompare));
     gl.DepthMask(state.depthWrite ? GL_TRUE : GL_FALSE);
-    const auto writes = [&](uint32_t bit) -> GLboolean {
-        return state.colorWriteMask & bit ? GL_TRUE : GL_FALSE;
-    };
+    const auto writes = [&](uint32_t bit) -> GLboolean { return state.colorWriteMask & bit ? GL_TRUE : GL_FALSE; };
     gl.ColorMask(writes(1), writes(2), writes(4), writes(8));
     (state.keepFirst ? gl.Enable : gl.Disable)(GL_BLEND);
     gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);

@@ -14,16 +14,13 @@ GlRenderer::GlRenderer(const RendererOptions& options)
     : options_(options), device_(options), sdk_(device_, options), programs_(device_.gl(), options),
       shadowMaps_(device_.gl(), options.shadowMapSize), cameraConstants_(createBuffer(device_.gl())) {
     device_.checkTextureSize(options.shadowMapSize, options.shadowMapSize);
-    device_.gl().NamedBufferData(cameraConstants_.get(), sizeof(CameraConstants), nullptr,
-                                 GL_DYNAMIC_DRAW);
+    device_.gl().NamedBufferData(cameraConstants_.get(), sizeof(CameraConstants), nullptr, GL_DYNAMIC_DRAW);
 }
 
 // Objects are deleted in their own context.
 GlRenderer::~GlRenderer() { device_.makeCurrent(); }
 
-uint64_t GlRenderer::viewFlags() const {
-    return options_.clipZFromMinusOne ? AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE : 0;
-}
+uint64_t GlRenderer::viewFlags() const { return options_.clipZFromMinusOne ? AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE : 0; }
 
 // Maps z from [0, w] to [-w, w].
 glm::dmat4 GlRenderer::rasterised(const glm::dmat4& projection) const {
@@ -63,8 +60,7 @@ void GlRenderer::prepare(const FrameInput& input) {
     if (outputWidth_ != settings.width || outputHeight_ != settings.height) {
         device_.checkTextureSize(settings.width, settings.height);
         output_ = createTexture(gl, GL_TEXTURE_2D);
-        gl.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width),
-                            GLsizei(settings.height));
+        gl.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
         outputWidth_ = settings.width;
         outputHeight_ = settings.height;
     }
@@ -91,13 +87,11 @@ double GlRenderer::renderFrame(const FrameInput& input) {
     for (size_t i = 0; i < shadowMaps_.shadows().size(); ++i)
         glFrame.shadowTextures[i] = shadowMaps_.texture(i);
     if (input.settings.background.a == 0)
-        gl.ClearTexImage(output_.get(), 0, GL_RGBA, GL_FLOAT,
-                         glm::value_ptr(input.settings.background));
+        gl.ClearTexImage(output_.get(), 0, GL_RGBA, GL_FLOAT, glm::value_ptr(input.settings.background));
     gl.Finish();
     const auto start = std::chrono::steady_clock::now();
-    record(input, "agaaGlRecordFrame", [&](const AgaaFrame& frame) {
-        return agaaGlRecordFrame(view_->view, &frame, &glFrame);
-    });
+    record(input, "agaaGlRecordFrame",
+           [&](const AgaaFrame& frame) { return agaaGlRecordFrame(view_->view, &frame, &glFrame); });
     gl.Finish();
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     device_.checkErrors("render a frame");
@@ -107,8 +101,8 @@ double GlRenderer::renderFrame(const FrameInput& input) {
 Image GlRenderer::readOutput() {
     Image image{outputWidth_, outputHeight_, {}};
     image.rgb.resize(3 * image.pixelCount());
-    device_.gl().GetTextureImage(output_.get(), 0, GL_RGB, GL_FLOAT,
-                                 GLsizei(image.rgb.size() * sizeof(float)), image.rgb.data());
+    device_.gl().GetTextureImage(output_.get(), 0, GL_RGB, GL_FLOAT, GLsizei(image.rgb.size() * sizeof(float)),
+                                 image.rgb.data());
     return image;
 }
 
@@ -117,8 +111,7 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
     setTarget(gl, target.width, target.height);
     setDrawState(gl, target.state);
-    gl.ClipControl(GL_LOWER_LEFT,
-                   options_.clipZFromMinusOne ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
+    gl.ClipControl(GL_LOWER_LEFT, options_.clipZFromMinusOne ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
     gl.CullFace(GL_BACK);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, cameraConstants_.get());
     if (target.state.vertexPulling)

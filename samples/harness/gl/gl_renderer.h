@@ -46,7 +46,7 @@ private:
     uint32_t outputWidth_ = 0;
     uint32_t outputHeight_ = 0;
     std::optional<gl::GpuScene> gpuScene_;
-    std::optional<gl::GpuFetch> fetch_; // set if a view fetches materials by id
+    std::optional<gl::GpuFetch> fetch_;   // set if a view fetches materials by id
     std::optional<gl::GpuStrips> strips_; // set if a pass pulls vertices
     const gl::GlSdkView* view_ = nullptr; // view in use
 };

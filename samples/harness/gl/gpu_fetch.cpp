@@ -13,8 +13,7 @@ constexpr GLuint cameraBinding = 6, firstUnit = 20;
 
 static bool isTexels(GLuint i) { return i >= 2 && i <= 5; }
 
-GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene)
-    : gl_(&gl) {
+GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene) : gl_(&gl) {
     const FetchScene fetch = makeFetchScene(scene);
     GLint most = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
@@ -34,8 +33,8 @@ GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& 
     gl.NamedBufferData(draws_.get(), GLsizeiptr(fetch.maxDraws * sizeof(FetchDraw)), nullptr, GL_DYNAMIC_DRAW);
     gl.NamedBufferData(materials_.get(), GLsizeiptr(fetch.materials.size() * sizeof(FetchMaterial)),
                        fetch.materials.data(), GL_STATIC_DRAW);
-    gl.NamedBufferData(vertices_.get(), GLsizeiptr(fetch.vertices.size() * sizeof(FetchVertex)),
-                       fetch.vertices.data(), GL_STATIC_DRAW);
+    gl.NamedBufferData(vertices_.get(), GLsizeiptr(fetch.vertices.size() * sizeof(FetchVertex)), fetch.vertices.data(),
+                       GL_STATIC_DRAW);
     textures_[0] = makeArray(fetch.colors.large, true);
     textures_[1] = makeArray(fetch.values.large, false);
     textures_[2] = texels(draws_.get(), GL_RGBA32UI);

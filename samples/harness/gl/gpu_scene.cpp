@@ -52,10 +52,8 @@ GpuScene::GpuScene(const GladGLContext& gl, const Scene& scene) : gl_(&gl) {
 
 void GpuScene::uploadGeometry(const Scene& scene) {
     const GladGLContext& gl = *gl_;
-    vertices_ = filledBuffer(gl, scene.vertices.data(), scene.vertices.size() * sizeof(Vertex),
-                             sizeof(Vertex));
-    indices_ = filledBuffer(gl, scene.indices.data(), scene.indices.size() * sizeof(uint32_t),
-                            sizeof(uint32_t));
+    vertices_ = filledBuffer(gl, scene.vertices.data(), scene.vertices.size() * sizeof(Vertex), sizeof(Vertex));
+    indices_ = filledBuffer(gl, scene.indices.data(), scene.indices.size() * sizeof(uint32_t), sizeof(uint32_t));
     vertexArray_ = createVertexArray(gl);
     const GLuint array = vertexArray_.get();
     gl.VertexArrayVertexBuffer(array, 0, vertices_.get(), 0, sizeof(Vertex));
@@ -85,9 +83,8 @@ Texture GpuScene::makeTexture(const std::vector<MipLevel>& levels, bool srgb) co
     gl.TextureStorage2D(texture.get(), GLsizei(levels.size()), srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8,
                         GLsizei(levels[0].width), GLsizei(levels[0].height));
     for (size_t i = 0; i < levels.size(); ++i)
-        gl.TextureSubImage2D(texture.get(), GLint(i), 0, 0, GLsizei(levels[i].width),
-                             GLsizei(levels[i].height), GL_RGBA, GL_UNSIGNED_BYTE,
-                             levels[i].rgba.data());
+        gl.TextureSubImage2D(texture.get(), GLint(i), 0, 0, GLsizei(levels[i].width), GLsizei(levels[i].height),
+                             GL_RGBA, GL_UNSIGNED_BYTE, levels[i].rgba.data());
     return texture;
 }
 
@@ -98,8 +95,7 @@ void GpuScene::uploadTextures(const Scene& scene) {
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         const harness::Texture& source = scene.textures[i];
         if (std::max(source.width, source.height) > uint32_t(largest))
-            throw std::runtime_error("The texture \"" + source.name +
-                                     "\" is larger than the device allows.");
+            throw std::runtime_error("The texture \"" + source.name + "\" is larger than the device allows.");
         textures_.push_back(makeTexture(makeMipChain(source, options[i]), source.srgb));
     }
     textures_.push_back(makeTexture({{1, 1, {255, 255, 255, 255}}}, false));
@@ -140,8 +136,7 @@ void GpuScene::uploadMaterials(const Scene& scene) {
             const bool has = maps[i] >= 0;
             const size_t texture = has ? size_t(maps[i]) : scene.textures.size();
             bindings.textures[i] = textures_[texture].get();
-            bindings.samplers[i] = has ? sampler(scene.textures[texture].wrapU,
-                                                 scene.textures[texture].wrapV)
+            bindings.samplers[i] = has ? sampler(scene.textures[texture].wrapU, scene.textures[texture].wrapV)
                                        : sampler(Wrap::Repeat, Wrap::Repeat);
         }
         materials_.push_back(bindings);
@@ -159,8 +154,8 @@ void GpuScene::bindMaterial(uint32_t material) const {
         gl_->BindTextureUnit(i, materials_[index].textures[i]);
         gl_->BindSampler(i, materials_[index].samplers[i]);
     }
-    gl_->BindBufferRange(GL_UNIFORM_BUFFER, materialConstantsBinding, constants_.get(),
-                         GLintptr(index) * stride_, sizeof(MaterialConstants));
+    gl_->BindBufferRange(GL_UNIFORM_BUFFER, materialConstantsBinding, constants_.get(), GLintptr(index) * stride_,
+                         sizeof(MaterialConstants));
 }
 
 void GpuScene::draw(const Mesh& mesh) const {

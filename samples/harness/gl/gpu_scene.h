@@ -44,7 +44,7 @@ private:
     Buffer vertices_;
     Buffer indices_;
     Buffer constants_;
-    GLsizeiptr stride_ = 0; // bytes per material in constants_
+    GLsizeiptr stride_ = 0;         // bytes per material in constants_
     std::vector<Texture> textures_; // Scene::textures, then a white texture
     std::map<std::pair<Wrap, Wrap>, Sampler> samplers_;
     std::vector<MaterialBindings> materials_; // Scene::materials, then the default material

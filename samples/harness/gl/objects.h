@@ -7,14 +7,12 @@
 
 namespace harness::gl {
 
-template <auto Delete>
-class Object {
+template <auto Delete> class Object {
 public:
     Object() = default;
     Object(const GladGLContext& gl, GLuint name) : gl_(&gl), name_(name) {}
     ~Object() { reset(); }
-    Object(Object&& other) noexcept
-        : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}
+    Object(Object&& other) noexcept : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}
     Object& operator=(Object&& other) noexcept {
         if (this != &other) {
             reset();
@@ -44,8 +42,7 @@ using Sampler = Object<&GladGLContext::DeleteSamplers>;
 using Framebuffer = Object<&GladGLContext::DeleteFramebuffers>;
 using VertexArray = Object<&GladGLContext::DeleteVertexArrays>;
 
-template <class T, auto Create>
-T create(const GladGLContext& gl) {
+template <class T, auto Create> T create(const GladGLContext& gl) {
     GLuint name = 0;
     (gl.*Create)(1, &name);
     return {gl, name};
@@ -55,12 +52,8 @@ inline Texture createTexture(const GladGLContext& gl, GLenum target) {
     gl.CreateTextures(target, 1, &name);
     return {gl, name};
 }
-inline Buffer createBuffer(const GladGLContext& gl) {
-    return create<Buffer, &GladGLContext::CreateBuffers>(gl);
-}
-inline Sampler createSampler(const GladGLContext& gl) {
-    return create<Sampler, &GladGLContext::CreateSamplers>(gl);
-}
+inline Buffer createBuffer(const GladGLContext& gl) { return create<Buffer, &GladGLContext::CreateBuffers>(gl); }
+inline Sampler createSampler(const GladGLContext& gl) { return create<Sampler, &GladGLContext::CreateSamplers>(gl); }
 inline Framebuffer createFramebuffer(const GladGLContext& gl) {
     return create<Framebuffer, &GladGLContext::CreateFramebuffers>(gl);
 }

@@ -34,8 +34,7 @@ static Variant programVariant(const Scene& scene, const Draw& draw) {
     return variant;
 }
 
-void PassPrograms::prepare(const DrawPass<AgaaGlDrawPass>& pass, const Scene& scene,
-                           const std::vector<Draw>& draws) {
+void PassPrograms::prepare(const DrawPass<AgaaGlDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws) {
     auto& programs = programs_[pass.pipelineKey];
     for (const Draw& draw : draws) {
         const Variant variant = programVariant(scene, draw);
@@ -46,9 +45,8 @@ void PassPrograms::prepare(const DrawPass<AgaaGlDrawPass>& pass, const Scene& sc
 
 std::string PassPrograms::fragmentText(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const {
     std::string text = versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" +
-                       embedded::interface_glsl + "#define AGAA_ALPHA_MASKED " +
-                       (variant.isMasked ? "1\n" : "0\n") + "#define FEATURES " +
-                       std::to_string(variant.features) + "u\n";
+                       embedded::interface_glsl + "#define AGAA_ALPHA_MASKED " + (variant.isMasked ? "1\n" : "0\n") +
+                       "#define FEATURES " + std::to_string(variant.features) + "u\n";
     text += pass.glslDeclarations;
     if (hostOutputs_) {
         std::string copies;
@@ -73,16 +71,17 @@ std::string PassPrograms::geometryText(const DrawPass<AgaaGlDrawPass>& pass) con
 std::string PassPrograms::vertexTextOf(const DrawPass<AgaaGlDrawPass>& pass) const {
     if (pass.glslVertex)
         return versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" + pass.glslVertex +
-               embedded::interface_glsl + embedded::object_glsl + embedded::corner_outputs_glsl + embedded::corners_vert;
-    const std::string body = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" + embedded::object_glsl +
-                             embedded::material_vert;
+               embedded::interface_glsl + embedded::object_glsl + embedded::corner_outputs_glsl +
+               embedded::corners_vert;
+    const std::string body = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" +
+                             embedded::object_glsl + embedded::material_vert;
     return vertexText(glslVersion_, body.c_str());
 }
 
 PassProgram PassPrograms::make(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const {
     PassProgram made;
-    made.program = Program(*gl_, vertexTextOf(pass),
-                           fragmentText(pass, variant), std::string("material, ") + pass.name, geometryText(pass));
+    made.program = Program(*gl_, vertexTextOf(pass), fragmentText(pass, variant), std::string("material, ") + pass.name,
+                           geometryText(pass));
     made.toShading = made.program.uniform("draw.toShading");
     made.normalToShading = made.program.uniform("draw.normalToShading");
     made.seed = made.program.uniform("draw.seed");
@@ -100,8 +99,7 @@ const PassProgram& PassPrograms::program(uint64_t pipelineKey, const Variant& va
     wanted.isMirrored = false;
     const auto programs = programs_.find(pipelineKey);
     if (programs == programs_.end())
-        throw std::runtime_error(
-            "The SDK asked for a draw with a pipeline key that it had not told.");
+        throw std::runtime_error("The SDK asked for a draw with a pipeline key that it had not told.");
     const auto found = programs->second.find(wanted);
     if (found == programs->second.end())
         throw std::runtime_error("A program was not prepared before its draw.");

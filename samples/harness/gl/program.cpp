@@ -10,8 +10,7 @@ namespace harness::gl {
 
 namespace {
 
-GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& text,
-               const std::string& name) {
+GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& text, const std::string& name) {
     const GLuint shader = gl.CreateShader(stage);
     const char* source = text.c_str();
     gl.ShaderSource(shader, 1, &source, nullptr);
@@ -63,8 +62,7 @@ Program::~Program() {
         gl_->DeleteProgram(program_);
 }
 
-Program::Program(Program&& other) noexcept
-    : gl_(other.gl_), program_(std::exchange(other.program_, 0)) {}
+Program::Program(Program&& other) noexcept : gl_(other.gl_), program_(std::exchange(other.program_, 0)) {}
 
 Program& Program::operator=(Program&& other) noexcept {
     std::swap(gl_, other.gl_);
@@ -74,9 +72,7 @@ Program& Program::operator=(Program&& other) noexcept {
 
 GLint Program::uniform(const char* name) const { return gl_->GetUniformLocation(program_, name); }
 
-std::string versionLine(uint32_t glslVersion) {
-    return "#version " + std::to_string(glslVersion) + "\n";
-}
+std::string versionLine(uint32_t glslVersion) { return "#version " + std::to_string(glslVersion) + "\n"; }
 
 std::string vertexText(uint32_t glslVersion, const char* body) {
     return versionLine(glslVersion) +

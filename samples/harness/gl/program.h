@@ -11,8 +11,8 @@ class Program {
 public:
     Program() = default;
     // fragment and geometry may be empty. Throws std::runtime_error with the driver's messages.
-    Program(const GladGLContext& gl, const std::string& vertex, const std::string& fragment,
-            const std::string& name, const std::string& geometry = {});
+    Program(const GladGLContext& gl, const std::string& vertex, const std::string& fragment, const std::string& name,
+            const std::string& geometry = {});
     ~Program();
     Program(Program&& other) noexcept;
     Program& operator=(Program&& other) noexcept;

@@ -11,7 +11,7 @@ namespace harness::gl {
 using GlSdkView = SdkView<DrawPass<AgaaGlDrawPass>>;
 
 // Binding points for the SDK, which the engine's camera and materials do not use.
-constexpr uint32_t sdkConstantsUnit = 9; // for AGAA_GL_CONSTANTS_TEXELS
+constexpr uint32_t sdkConstantsUnit = 9;                                                // for AGAA_GL_CONSTANTS_TEXELS
 constexpr uint32_t sdkBindings[AGAA_GL_BINDING_COUNT] = {0, 4, 2, 3, 5, 5, 6, 7, 8, 6}; // indexed by AgaaGlBinding
 
 class SdkContext {

@@ -9,17 +9,15 @@
 namespace harness::gl {
 
 ShadowMaps::ShadowMaps(const GladGLContext& gl, uint32_t size)
-    : gl_(&gl), size_(size),
-      opaque_(gl, vertexText(450, embedded::shadow_vert), "", "shadow.vert"),
-      masked_(gl, vertexText(450, embedded::shadow_vert),
-              vertexText(450, embedded::shadow_frag), "shadow.frag"),
+    : gl_(&gl), size_(size), opaque_(gl, vertexText(450, embedded::shadow_vert), "", "shadow.vert"),
+      masked_(gl, vertexText(450, embedded::shadow_vert), vertexText(450, embedded::shadow_frag), "shadow.frag"),
       framebuffer_(createFramebuffer(gl)) {
     gl.NamedFramebufferDrawBuffer(framebuffer_.get(), GL_NONE);
     gl.NamedFramebufferReadBuffer(framebuffer_.get(), GL_NONE);
 }
 
-void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene,
-                        const RenderSettings& settings, const CameraMatrices& camera) {
+void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                        const CameraMatrices& camera) {
     std::vector<double> key = shadowKey(settings.lights, settings.worldOffset, camera);
     if (key == key_)
         return;
@@ -27,22 +25,19 @@ void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene,
     shadows_.clear();
     maps_.clear();
     for (const size_t i : shadowedLights(settings.lights)) {
-        const ShadowFit fit =
-            fitShadow(settings.lights[i], scene, camera, settings.worldOffset, size_);
+        const ShadowFit fit = fitShadow(settings.lights[i], scene, camera, settings.worldOffset, size_);
         renderMap(gpuScene, scene, settings, camera.eye, fit.layers);
         shadows_.push_back(toAgaaShadow(fit));
     }
     key_ = std::move(key);
 }
 
-void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene,
-                           const RenderSettings& settings, const glm::dvec3& eye,
-                           const std::vector<glm::dmat4>& layers) {
+void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                           const glm::dvec3& eye, const std::vector<glm::dmat4>& layers) {
     const GladGLContext& gl = *gl_;
     maps_.push_back(createTexture(gl, GL_TEXTURE_2D_ARRAY));
     const GLuint map = maps_.back().get();
-    gl.TextureStorage3D(map, 1, GL_DEPTH_COMPONENT32F, GLsizei(size_), GLsizei(size_),
-                        GLsizei(layers.size()));
+    gl.TextureStorage3D(map, 1, GL_DEPTH_COMPONENT32F, GLsizei(size_), GLsizei(size_), GLsizei(layers.size()));
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.get());
     setTarget(gl, size_, size_);
     gl.Enable(GL_DEPTH_TEST);
@@ -55,8 +50,7 @@ void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene,
     gl.Enable(GL_POLYGON_OFFSET_FILL);
     gl.PolygonOffset(1.5f, 0);
     for (size_t layer = 0; layer < layers.size(); ++layer) {
-        gl.NamedFramebufferTextureLayer(framebuffer_.get(), GL_DEPTH_ATTACHMENT, map, 0,
-                                        GLint(layer));
+        gl.NamedFramebufferTextureLayer(framebuffer_.get(), GL_DEPTH_ATTACHMENT, map, 0, GLint(layer));
         const GLfloat far = 1;
         gl.ClearNamedFramebufferfv(framebuffer_.get(), GL_DEPTH, 0, &far);
         renderLayer(gpuScene, scene, settings, eye, layers[layer]);
@@ -64,9 +58,8 @@ void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene,
     gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void ShadowMaps::renderLayer(const GpuScene& gpuScene, const Scene& scene,
-                             const RenderSettings& settings, const glm::dvec3& eye,
-                             const glm::dmat4& toClip) const {
+void ShadowMaps::renderLayer(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                             const glm::dvec3& eye, const glm::dmat4& toClip) const {
     gpuScene.bindGeometry();
     uint32_t material = UINT32_MAX;
     for (const Draw& draw : makeDrawList(scene, settings.worldOffset, eye, toClip, {})) {

@@ -21,8 +21,8 @@ public:
     GLuint texture(size_t shadow) const { return maps_[shadow].get(); }
 
 private:
-    void renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
-                   const glm::dvec3& eye, const std::vector<glm::dmat4>& layers);
+    void renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings, const glm::dvec3& eye,
+                   const std::vector<glm::dmat4>& layers);
     void renderLayer(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
                      const glm::dvec3& eye, const glm::dmat4& toClip) const;
 

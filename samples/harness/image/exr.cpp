@@ -36,8 +36,8 @@ std::string oneSentence(std::string text) {
 }
 
 [[noreturn]] void fail(const char* verb, const std::filesystem::path& path, std::string reason) {
-    throw std::runtime_error("Could not " + std::string(verb) + " the OpenEXR file \"" +
-                             path.string() + "\": " + oneSentence(std::move(reason)) + ".");
+    throw std::runtime_error("Could not " + std::string(verb) + " the OpenEXR file \"" + path.string() +
+                             "\": " + oneSentence(std::move(reason)) + ".");
 }
 
 Image readChecked(const std::filesystem::path& path) {
@@ -46,17 +46,15 @@ Image readChecked(const std::filesystem::path& path) {
     const Imath::Box2i window = header.dataWindow();
     const int64_t width = int64_t(window.max.x) - window.min.x + 1;
     const int64_t height = int64_t(window.max.y) - window.min.y + 1;
-    if (width < 1 || height < 1 || width > maxSide || height > maxSide ||
-        width * height > maxPixels)
-        throw std::runtime_error("its size of " + std::to_string(width) + "x" +
-                                 std::to_string(height) + " pixels is not usable");
+    if (width < 1 || height < 1 || width > maxSide || height > maxSide || width * height > maxPixels)
+        throw std::runtime_error("its size of " + std::to_string(width) + "x" + std::to_string(height) +
+                                 " pixels is not usable");
     for (const char* name : channelNames) {
         const Imf::Channel* channel = header.channels().findChannel(name);
         if (!channel)
             throw std::runtime_error("it has no channel " + std::string(name));
         if (channel->type != Imf::HALF && channel->type != Imf::FLOAT)
-            throw std::runtime_error("its channel " + std::string(name) +
-                                     " is neither half nor float");
+            throw std::runtime_error("its channel " + std::string(name) + " is neither half nor float");
         if (channel->xSampling != 1 || channel->ySampling != 1)
             throw std::runtime_error("its channel " + std::string(name) + " is subsampled");
     }
@@ -67,9 +65,8 @@ Image readChecked(const std::filesystem::path& path) {
     image.rgb.resize(image.pixelCount() * 3);
     Imf::FrameBuffer frame;
     for (size_t c = 0; c < channelNames.size(); ++c)
-        frame.insert(channelNames[c],
-                     Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + c, window, 3 * sizeof(float),
-                                      3 * sizeof(float) * size_t(width)));
+        frame.insert(channelNames[c], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + c, window, 3 * sizeof(float),
+                                                       3 * sizeof(float) * size_t(width)));
     file.setFrameBuffer(frame);
     file.readPixels(window.min.y, window.max.y);
     return image;
@@ -95,10 +92,8 @@ void writeExr(const std::filesystem::path& path, const Image& image) {
         float* pixels = const_cast<float*>(image.rgb.data());
         for (size_t c = 0; c < channelNames.size(); ++c) {
             header.channels().insert(channelNames[c], Imf::Channel(Imf::FLOAT));
-            frame.insert(channelNames[c],
-                         Imf::Slice::Make(Imf::FLOAT, pixels + c, header.dataWindow(),
-                                          3 * sizeof(float),
-                                          3 * sizeof(float) * size_t(image.width)));
+            frame.insert(channelNames[c], Imf::Slice::Make(Imf::FLOAT, pixels + c, header.dataWindow(),
+                                                           3 * sizeof(float), 3 * sizeof(float) * size_t(image.width)));
         }
         Imf::OutputFile file(path.string().c_str(), header, 0);
         file.setFrameBuffer(frame);

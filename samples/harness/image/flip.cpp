@@ -91,9 +91,7 @@ Vec3 linearToHuntLab(const Vec3& rgb) {
     return {lightness, hunt * 500 * (x - y), hunt * 200 * (y - z)};
 }
 
-double hyab(const Vec3& a, const Vec3& b) {
-    return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
-}
+double hyab(const Vec3& a, const Vec3& b) { return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]); }
 
 // Filters the image with `horizontal` along x and `vertical` along y. Pixels beyond the border repeat the border.
 class SeparableFilter {
@@ -121,8 +119,7 @@ public:
         Plane out(image.size(), 0.0);
         for (std::ptrdiff_t y = 0; y <= last; ++y) {
             for (size_t k = 0; k < kernel.size(); ++k) {
-                const auto source =
-                    size_t(std::clamp<std::ptrdiff_t>(y + std::ptrdiff_t(k) - radius, 0, last));
+                const auto source = size_t(std::clamp<std::ptrdiff_t>(y + std::ptrdiff_t(k) - radius, 0, last));
                 addScaled(&out[size_t(y) * width_], &image[source * width_], kernel[k]);
             }
         }
@@ -157,8 +154,8 @@ constexpr std::array<Gaussian, 1> redGreen = {{{1, 0.0053}}};
 constexpr std::array<Gaussian, 2> blueYellow = {{{34.1, 0.04}, {13.5, 0.025}}};
 
 template <size_t N>
-Plane filterContrast(const SeparableFilter& filter, const Plane& image,
-                     const std::array<Gaussian, N>& terms, double pixelsPerDegree) {
+Plane filterContrast(const SeparableFilter& filter, const Plane& image, const std::array<Gaussian, N>& terms,
+                     double pixelsPerDegree) {
     const int radius = int(std::ceil(3 * std::sqrt(largestB / (2 * pi * pi)) * pixelsPerDegree));
     Plane sum(image.size(), 0.0);
     double total = 0;
@@ -222,9 +219,8 @@ Analysis analyse(const Image& image, double pixelsPerDegree) {
         plane.resize(count);
     Plane luminance(count);
     for (size_t i = 0; i < count; ++i) {
-        const Vec3 color =
-            linearToYcxcz({srgbToLinear(image.rgb[3 * i]), srgbToLinear(image.rgb[3 * i + 1]),
-                           srgbToLinear(image.rgb[3 * i + 2])});
+        const Vec3 color = linearToYcxcz(
+            {srgbToLinear(image.rgb[3 * i]), srgbToLinear(image.rgb[3 * i + 1]), srgbToLinear(image.rgb[3 * i + 2])});
         for (size_t c = 0; c < 3; ++c)
             opponent[c][i] = color[c];
         luminance[i] = (color[0] + 16) / 116;
@@ -265,19 +261,16 @@ std::vector<float> flipErrorMap(const Image& reference, const Image& test, doubl
     const Analysis b = analyse(test, pixelsPerDegree);
 
     // Green and blue have the largest distance of all displayable colours.
-    const double largest =
-        std::pow(hyab(linearToHuntLab({0, 1, 0}), linearToHuntLab({0, 0, 1})), colorExponent);
+    const double largest = std::pow(hyab(linearToHuntLab({0, 1, 0}), linearToHuntLab({0, 0, 1})), colorExponent);
     const double knee = colorKnee * largest;
     std::vector<float> errors(a.lab.size());
     for (size_t i = 0; i < errors.size(); ++i) {
         const double distance = std::pow(hyab(a.lab[i], b.lab[i]), colorExponent);
-        const double color =
-            distance < knee
-                ? distance * colorKneeTarget / knee
-                : colorKneeTarget + (distance - knee) / (largest - knee) * (1 - colorKneeTarget);
+        const double color = distance < knee
+                                 ? distance * colorKneeTarget / knee
+                                 : colorKneeTarget + (distance - knee) / (largest - knee) * (1 - colorKneeTarget);
         const double feature = std::pow(
-            std::max(std::abs(a.edges[i] - b.edges[i]), std::abs(a.points[i] - b.points[i])) /
-                std::numbers::sqrt2,
+            std::max(std::abs(a.edges[i] - b.edges[i]), std::abs(a.points[i] - b.points[i])) / std::numbers::sqrt2,
             featureExponent);
         errors[i] = float(std::clamp(std::pow(color, 1 - feature), 0.0, 1.0));
     }

@@ -23,7 +23,6 @@ void writePng(const std::filesystem::path& path, const Image& image);
 // Writes the tone-mapped image as JPEG for small pages. The quality is in [1, 100].
 void writeJpeg(const std::filesystem::path& path, const Image& image, int quality);
 // Writes |a-b| of the tone-mapped images, times gain, clamped.
-void writeDifferencePng(const std::filesystem::path& path, const Image& a, const Image& b,
-                        float gain);
+void writeDifferencePng(const std::filesystem::path& path, const Image& a, const Image& b, float gain);
 
 } // namespace harness

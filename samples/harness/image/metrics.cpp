@@ -20,17 +20,15 @@ void requireFinite(const Image& image, const std::string& what) {
         if (std::isfinite(image.rgb[i]))
             continue;
         const size_t pixel = i / 3;
-        throw std::runtime_error(what + " has a value that is not finite in channel " +
-                                 "RGB"[i % 3] + " of pixel (" +
-                                 std::to_string(pixel % image.width) + ", " +
-                                 std::to_string(pixel / image.width) + ").");
+        throw std::runtime_error(what + " has a value that is not finite in channel " + "RGB"[i % 3] + " of pixel (" +
+                                 std::to_string(pixel % image.width) + ", " + std::to_string(pixel / image.width) +
+                                 ").");
     }
 }
 
 Image toneMapped(const Image& image) {
     Image out = image;
-    std::transform(out.rgb.begin(), out.rgb.end(), out.rgb.begin(),
-                   [](float value) { return float(toneMap(value)); });
+    std::transform(out.rgb.begin(), out.rgb.end(), out.rgb.begin(), [](float value) { return float(toneMap(value)); });
     return out;
 }
 
@@ -40,9 +38,8 @@ Metrics compareImages(const Image& reference, const Image& test) {
     requireConsistent(reference, "The reference image");
     requireConsistent(test, "The test image");
     if (reference.width != test.width || reference.height != test.height)
-        throw std::runtime_error("The reference image of " + sizeOf(reference) +
-                                 " pixels and the test image of " + sizeOf(test) +
-                                 " pixels differ in size.");
+        throw std::runtime_error("The reference image of " + sizeOf(reference) + " pixels and the test image of " +
+                                 sizeOf(test) + " pixels differ in size.");
     requireFinite(reference, "The reference image");
     requireFinite(test, "The test image");
 
@@ -72,8 +69,7 @@ Metrics compareImages(const Image& reference, const Image& test) {
     out.psnr = out.mseTm > 0 ? 10 * std::log10(out.psnrPeak * out.psnrPeak / out.mseTm)
                              : std::numeric_limits<double>::infinity();
 
-    const std::vector<float> errors =
-        flipErrorMap(toneMapped(reference), toneMapped(test), out.pixelsPerDegree);
+    const std::vector<float> errors = flipErrorMap(toneMapped(reference), toneMapped(test), out.pixelsPerDegree);
     out.flip = std::accumulate(errors.begin(), errors.end(), 0.0) / double(errors.size());
     out.flipP95 = percentile(errors, 0.95);
     return out;

@@ -20,17 +20,12 @@ using Pixel = std::array<uint8_t, 3>;
 // Values that are not a number get a colour that shading does not produce, so that they are visible.
 constexpr Pixel magenta = {255, 0, 255};
 
-uint8_t toByte(double value) {
-    return uint8_t(std::lround(std::clamp(value, 0.0, 1.0) * 255));
-}
+uint8_t toByte(double value) { return uint8_t(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
 
-bool isFinite(const float* rgb) {
-    return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
-}
+bool isFinite(const float* rgb) { return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]); }
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-    throw std::runtime_error("Could not write the image file \"" + path.string() + "\": " + reason +
-                             ".");
+    throw std::runtime_error("Could not write the image file \"" + path.string() + "\": " + reason + ".");
 }
 
 void requireForFile(const std::filesystem::path& path, const Image& image) {
@@ -58,9 +53,8 @@ void writeBytes(const std::filesystem::path& path, const Image& size, const std:
     std::vector<char> encoded;
     const int width = int(size.width), height = int(size.height);
     const bool isEncoded =
-        quality == lossless
-            ? stbi_write_png_to_func(appendBytes, &encoded, width, height, 3, pixels.data(), width * 3)
-            : stbi_write_jpg_to_func(appendBytes, &encoded, width, height, 3, pixels.data(), quality);
+        quality == lossless ? stbi_write_png_to_func(appendBytes, &encoded, width, height, 3, pixels.data(), width * 3)
+                            : stbi_write_jpg_to_func(appendBytes, &encoded, width, height, 3, pixels.data(), quality);
     if (!isEncoded)
         fail(path, "it could not be encoded");
     std::ofstream file(path, std::ios::binary | std::ios::trunc);
@@ -99,8 +93,7 @@ void writeJpeg(const std::filesystem::path& path, const Image& image, int qualit
     writeBytes(path, image, shownPixels(path, image), quality);
 }
 
-void writeDifferencePng(const std::filesystem::path& path, const Image& a, const Image& b,
-                        float gain) {
+void writeDifferencePng(const std::filesystem::path& path, const Image& a, const Image& b, float gain) {
     requireForFile(path, a);
     requireForFile(path, b);
     if (a.width != b.width || a.height != b.height)

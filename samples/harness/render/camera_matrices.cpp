@@ -18,8 +18,7 @@ glm::dvec3 perpendicular(const glm::dvec3& v) {
 }
 
 double farthestCorner(const Scene& scene, const glm::dvec3& point) {
-    const glm::dvec3 reach =
-        glm::max(glm::abs(scene.boundsMin - point), glm::abs(scene.boundsMax - point));
+    const glm::dvec3 reach = glm::max(glm::abs(scene.boundsMin - point), glm::abs(scene.boundsMax - point));
     return glm::length(reach);
 }
 
@@ -80,8 +79,7 @@ CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings
     return m;
 }
 
-glm::dmat4 toShadingSpace(const glm::dmat4& objectToWorld, const glm::dvec3& worldOffset,
-                          const glm::dvec3& eye) {
+glm::dmat4 toShadingSpace(const glm::dmat4& objectToWorld, const glm::dvec3& worldOffset, const glm::dvec3& eye) {
     glm::dmat4 result = objectToWorld;
     result[3] = glm::dvec4(glm::dvec3(objectToWorld[3]) + worldOffset - eye, 1);
     return result;

@@ -25,7 +25,6 @@ CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings
 
 // Returns the transform from object to shading space. It is computed in double precision, because the translation of an
 // object far from the world's origin cancels against the eye's.
-glm::dmat4 toShadingSpace(const glm::dmat4& objectToWorld, const glm::dvec3& worldOffset,
-                          const glm::dvec3& eye);
+glm::dmat4 toShadingSpace(const glm::dmat4& objectToWorld, const glm::dvec3& worldOffset, const glm::dvec3& eye);
 
 } // namespace harness

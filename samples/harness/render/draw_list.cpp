@@ -39,13 +39,11 @@ void shuffle(std::vector<Draw>::iterator begin, std::vector<Draw>::iterator end,
 } // namespace
 
 bool isMasked(const Scene& scene, const Mesh& mesh) {
-    return mesh.material < scene.materials.size() &&
-           scene.materials[mesh.material].alphaMode != AlphaMode::Opaque;
+    return mesh.material < scene.materials.size() && scene.materials[mesh.material].alphaMode != AlphaMode::Opaque;
 }
 
 bool isDrawnIn(const AgaaDrawTarget& target, const Draw& draw) {
-    const bool isOfUnfetched =
-        target.pass == AGAA_DRAW_PASS_GBUFFER && target.state.depthCompare == AGAA_COMPARE_EQUAL;
+    const bool isOfUnfetched = target.pass == AGAA_DRAW_PASS_GBUFFER && target.state.depthCompare == AGAA_COMPARE_EQUAL;
     return !isOfUnfetched || !draw.isFetched;
 }
 
@@ -56,9 +54,8 @@ uint32_t drawSeed(uint32_t instance) {
     return x ^ (x >> 16);
 }
 
-std::vector<Draw> makeDrawList(const Scene& scene, const glm::dvec3& worldOffset,
-                               const glm::dvec3& eye, const glm::dmat4& clip,
-                               const DrawListOptions& options) {
+std::vector<Draw> makeDrawList(const Scene& scene, const glm::dvec3& worldOffset, const glm::dvec3& eye,
+                               const glm::dmat4& clip, const DrawListOptions& options) {
     std::vector<Draw> draws;
     for (uint32_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
@@ -79,11 +76,9 @@ std::vector<Draw> makeDrawList(const Scene& scene, const glm::dvec3& worldOffset
     const auto order = [&](const Draw& d) {
         return std::tuple(d.isMasked, scene.meshes[d.mesh].material, d.isMirrored, d.instance);
     };
-    std::sort(draws.begin(), draws.end(),
-              [&](const Draw& a, const Draw& b) { return order(a) < order(b); });
+    std::sort(draws.begin(), draws.end(), [&](const Draw& a, const Draw& b) { return order(a) < order(b); });
     if (options.shuffleSeed != 0) {
-        const auto masked =
-            std::find_if(draws.begin(), draws.end(), [](const Draw& d) { return d.isMasked; });
+        const auto masked = std::find_if(draws.begin(), draws.end(), [](const Draw& d) { return d.isMasked; });
         shuffle(draws.begin(), masked, options.shuffleSeed);
         shuffle(masked, draws.end(), options.shuffleSeed);
     }

@@ -12,24 +12,23 @@ struct Draw {
     uint32_t mesh = 0;
     uint32_t instance = 0;
     bool isMasked = false;
-    bool isMirrored = false; // the transform mirrors triangles
-    bool isFetched = true;   // the material is fetched by id, if the frame fetches
+    bool isMirrored = false;  // the transform mirrors triangles
+    bool isFetched = true;    // the material is fetched by id, if the frame fetches
     uint32_t alphaPoints = 1; // alpha reads of cut-outs per texel
     glm::dmat4 toShading{1};
 };
 
 struct DrawListOptions {
-    bool useMasked = true; // false: every material counts as opaque
+    bool useMasked = true;    // false: every material counts as opaque
     uint32_t alphaPoints = 1; // alpha reads of cut-outs per texel of the target: 1, 4 or 16
-    double clipMargin = 0; // margin of culling, as a share of the clip volume
+    double clipMargin = 0;    // margin of culling, as a share of the clip volume
     uint32_t shuffleSeed = 0; // != 0: seed that shuffles the order within opaque and within masked draws
 };
 
 // Lists the draws. `clip` maps shading space to clip space with z in [0, w]. Instances outside of the volume are
 // dropped.
-std::vector<Draw> makeDrawList(const Scene& scene, const glm::dvec3& worldOffset,
-                               const glm::dvec3& eye, const glm::dmat4& clip,
-                               const DrawListOptions& options);
+std::vector<Draw> makeDrawList(const Scene& scene, const glm::dvec3& worldOffset, const glm::dvec3& eye,
+                               const glm::dmat4& clip, const DrawListOptions& options);
 
 // Returns the material mode of a mesh. Meshes without a valid material are opaque.
 bool isMasked(const Scene& scene, const Mesh& mesh);

@@ -10,16 +10,15 @@
 namespace harness {
 
 // Native is AgaaVkDrawPass or AgaaGlDrawPass.
-template <class Native> struct DrawPass : AgaaDrawPass {
-    Native native;
-};
+template <class Native> struct DrawPass : AgaaDrawPass { Native native; };
 
 // Returns the outputs that the vertex shader of a pass needs: FOR_CORNERS of material.vert. Geometry shaders read a
 // part of them.
 inline int cornerOutputs(const AgaaDrawPass& pass) {
     if (!pass.glslGeometry) // the pass needs no geometry shader, or another vertex shader
         return 0;
-    return std::string_view(pass.glslDeclarations).find("#define AGAA_NEEDS_MATERIAL 1") == std::string_view::npos ? 1 : 2;
+    return std::string_view(pass.glslDeclarations).find("#define AGAA_NEEDS_MATERIAL 1") == std::string_view::npos ? 1
+                                                                                                                   : 2;
 }
 
 // `check` throws if a result is an error.

@@ -43,8 +43,8 @@ FetchScene makeFetchScene(const Scene& scene) {
         fetch.materials.push_back(made);
     }
     for (const Vertex& v : scene.vertices)
-        fetch.vertices.push_back({v.position, glm::u8vec4(glm::u8vec3(v.color), v.tangent.w < 0 ? 0 : 255), v.normal, v.uv.x,
-                                  glm::vec3(v.tangent), v.uv.y});
+        fetch.vertices.push_back({v.position, glm::u8vec4(glm::u8vec3(v.color), v.tangent.w < 0 ? 0 : 255), v.normal,
+                                  v.uv.x, glm::vec3(v.tangent), v.uv.y});
     if (fetch.vertices.empty())
         fetch.vertices.push_back({});
     fetch.maxDraws = std::max<uint32_t>(uint32_t(scene.instances.size()), 1);

@@ -17,9 +17,8 @@ MaterialConstants materialConstants(const Material& material) {
 }
 
 std::array<int, materialTextureCount> materialTextures(const Scene& scene, const Material& material) {
-    std::array<int, materialTextureCount> textures = {
-        material.baseColorTexture, material.normalTexture, material.metalRoughTexture,
-        material.emissiveTexture};
+    std::array<int, materialTextureCount> textures = {material.baseColorTexture, material.normalTexture,
+                                                      material.metalRoughTexture, material.emissiveTexture};
     for (int& texture : textures)
         texture = texture < int(scene.textures.size()) ? texture : -1;
     return textures;
@@ -82,8 +81,7 @@ Variant variantOf(const Scene& scene, const Draw& draw) {
         variant.features |= tested << 1;
     if (draw.alphaPoints > 4 && (variant.features & tested))
         variant.features |= tested << 2;
-    variant.isDoubleSided =
-        material < scene.materials.size() && scene.materials[material].doubleSided;
+    variant.isDoubleSided = material < scene.materials.size() && scene.materials[material].doubleSided;
     return variant;
 }
 

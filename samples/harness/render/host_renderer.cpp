@@ -64,12 +64,12 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     // Some targets are a pixel wider than the image on each side, or shifted by a part of a pixel.
     options.clipMargin = 4.0 / std::min(settings.width, settings.height);
     options.shuffleSeed = settings.drawOrderSeed;
-    input.draws = makeDrawList(scene_, settings.worldOffset, input.camera.eye,
-                               input.camera.viewProjection, options);
+    input.draws = makeDrawList(scene_, settings.worldOffset, input.camera.eye, input.camera.viewProjection, options);
     for (size_t i = 0; settings.unfetchedEvery && i < input.draws.size(); i += settings.unfetchedEvery)
         input.draws[i].isFetched = false;
     prepare(input);
-    const std::vector<AgaaSceneFacts> switched = settings.switchFacts ? switchedFacts(facts) : std::vector<AgaaSceneFacts>();
+    const std::vector<AgaaSceneFacts> switched =
+        settings.switchFacts ? switchedFacts(facts) : std::vector<AgaaSceneFacts>();
     if (!switched.empty())
         log().check(agaaPrepareVariants(view, uint32_t(switched.size()), switched.data()), "agaaPrepareVariants");
     for (uint32_t frame = 0; frame < settings.warmup + std::max(settings.frames, 1u); ++frame) {
@@ -83,11 +83,9 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
         result.recordToFinishMs.push_back(whole.count());
         result.recordMs.push_back(std::chrono::duration<double, std::milli>(recordTime_ - drawTime_).count());
         AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
-        log().check(agaaGetFrameStatistics(view, frameIndex_, &statistics),
-                    "agaaGetFrameStatistics");
+        log().check(agaaGetFrameStatistics(view, frameIndex_, &statistics), "agaaGetFrameStatistics");
         if (statistics.frameIndex != frameIndex_)
-            throw std::runtime_error(
-                "The SDK's statistics are not of the frame that has finished.");
+            throw std::runtime_error("The SDK's statistics are not of the frame that has finished.");
         result.statistics.push_back(statistics);
     }
     if (config.flags & AGAA_CONFIG_CHECK_FACTS || config.measurement.debugView == AGAA_DEBUG_VIEW_FACTS) {

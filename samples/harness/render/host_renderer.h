@@ -25,7 +25,7 @@ protected:
         const RenderSettings& settings;
         CameraMatrices camera;
         std::vector<AgaaLight> lights;
-        std::vector<AgaaLight> unshadowed; // lights without shadows
+        std::vector<AgaaLight> unshadowed;     // lights without shadows
         const AgaaSceneFacts* facts = nullptr; // facts of the frame; null: the facts of the view
         std::vector<Draw> draws;
         bool useMasked = true;
@@ -53,8 +53,7 @@ protected:
 
     const Scene& scene() const { return scene_; }
     // Calls the backend's recording function for each of the frame's segments.
-    template <class Record>
-    void record(const FrameInput& input, const char* call, const Record& record);
+    template <class Record> void record(const FrameInput& input, const char* call, const Record& record);
 
 private:
     AgaaFrame describeFrame(const FrameInput& input) const;
@@ -63,7 +62,7 @@ private:
 
     Scene scene_;
     bool isLoaded_ = false;
-    uint64_t frameIndex_ = 0; // index of the newest frame; the renderer waits for each frame
+    uint64_t frameIndex_ = 0;           // index of the newest frame; the renderer waits for each frame
     const FrameInput* input_ = nullptr; // input of the frame that is being recorded
     using Clock = std::chrono::steady_clock;
     Clock::duration recordTime_{}; // time in the SDK in the newest frame, including drawTime_
@@ -71,8 +70,7 @@ private:
     std::string drawError_;
 };
 
-template <class Record>
-void HostRenderer::record(const FrameInput& input, const char* call, const Record& record) {
+template <class Record> void HostRenderer::record(const FrameInput& input, const char* call, const Record& record) {
     AgaaFrame frame = describeFrame(input);
     frame.completedFrame = frameIndex_;
     frame.frameIndex = ++frameIndex_;

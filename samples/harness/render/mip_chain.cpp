@@ -16,17 +16,11 @@ struct FloatLevel {
     std::vector<glm::vec4> texels;
 };
 
-float srgbToLinear(float v) {
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
-}
+float srgbToLinear(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
 
-float linearToSrgb(float v) {
-    return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-}
+float linearToSrgb(float v) { return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
 
-uint8_t toByte(float v) {
-    return uint8_t(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f);
-}
+uint8_t toByte(float v) { return uint8_t(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
 const std::array<float, 256>& decodeTable() {
     static const std::array<float, 256> table = [] {
@@ -50,9 +44,7 @@ const std::array<uint8_t, encodeSize + 1>& encodeTable() {
     return table;
 }
 
-uint8_t encodeSrgb(float v) {
-    return encodeTable()[size_t(std::clamp(v, 0.0f, 1.0f) * encodeSize + 0.5f)];
-}
+uint8_t encodeSrgb(float v) { return encodeTable()[size_t(std::clamp(v, 0.0f, 1.0f) * encodeSize + 0.5f)]; }
 
 FloatLevel decode(const Texture& texture) {
     FloatLevel level{texture.width, texture.height, {}};
@@ -111,8 +103,7 @@ FloatLevel halve(const FloatLevel& in, bool weightByAlpha) {
             glm::vec3 weighted(0);
             for (size_t j = 0; j < size_t(rows.count); ++j) {
                 for (size_t i = 0; i < size_t(column.count); ++i) {
-                    const glm::vec4& texel =
-                        in.texels[size_t(rows.index[j]) * in.width + column.index[i]];
+                    const glm::vec4& texel = in.texels[size_t(rows.index[j]) * in.width + column.index[i]];
                     const float weight = rows.weight[j] * column.weight[i];
                     sum += weight * texel;
                     weighted += weight * texel.a * glm::vec3(texel);
@@ -190,10 +181,8 @@ MipLevel encode(const FloatLevel& level, bool srgb, const MipOptions& options, f
 } // namespace
 
 std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& options) {
-    if (texture.width == 0 || texture.height == 0 ||
-        texture.rgba.size() != size_t(texture.width) * texture.height * 4)
-        throw std::runtime_error("The size of the texture \"" + texture.name +
-                                 "\" is 0 or does not fit its bytes.");
+    if (texture.width == 0 || texture.height == 0 || texture.rgba.size() != size_t(texture.width) * texture.height * 4)
+        throw std::runtime_error("The size of the texture \"" + texture.name + "\" is 0 or does not fit its bytes.");
     std::vector<MipLevel> levels;
     levels.push_back({texture.width, texture.height, texture.rgba});
 
@@ -243,7 +232,8 @@ std::vector<MipLevel> resizeMipChain(const std::vector<MipLevel>& levels, const 
     std::vector<MipLevel> out;
     size_t nearest = 0; // the smallest level that is not smaller than wanted, or the largest
     for (;; width = std::max(width / 2, 1u), height = std::max(height / 2, 1u)) {
-        while (nearest + 1 < levels.size() && levels[nearest + 1].width >= width && levels[nearest + 1].height >= height)
+        while (nearest + 1 < levels.size() && levels[nearest + 1].width >= width &&
+               levels[nearest + 1].height >= height)
             ++nearest;
         const MipLevel& level = levels[nearest];
         if (level.width == width && level.height == height) {
@@ -260,15 +250,13 @@ std::vector<MipLevel> resizeMipChain(const std::vector<MipLevel>& levels, const 
 std::vector<MipOptions> mipOptions(const Scene& scene) {
     std::vector<MipOptions> options(scene.textures.size());
     const auto find = [&](int texture) {
-        return texture >= 0 && size_t(texture) < options.size() ? &options[size_t(texture)]
-                                                                : nullptr;
+        return texture >= 0 && size_t(texture) < options.size() ? &options[size_t(texture)] : nullptr;
     };
     for (const Material& material : scene.materials) {
         if (MipOptions* normal = find(material.normalTexture))
             normal->isNormalMap = true;
         MipOptions* base = find(material.baseColorTexture);
-        if (base && material.alphaMode == AlphaMode::Mask && material.baseColor.a > 0 &&
-            base->alphaCutoff <= 0)
+        if (base && material.alphaMode == AlphaMode::Mask && material.baseColor.a > 0 && base->alphaCutoff <= 0)
             base->alphaCutoff = std::max(material.alphaCutoff / material.baseColor.a, 1.0f / 255);
     }
     return options;

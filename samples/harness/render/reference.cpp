@@ -85,8 +85,8 @@ Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t 
     return reference;
 }
 
-const Reference& SceneReferences::get(const std::string& frame, Renderer& renderer,
-                                      const RenderSettings& settings, uint32_t spp) {
+const Reference& SceneReferences::get(const std::string& frame, Renderer& renderer, const RenderSettings& settings,
+                                      uint32_t spp) {
     const auto known = kept_.find(frame);
     if (known != kept_.end())
         return known->second;

@@ -15,11 +15,11 @@
 namespace harness {
 
 struct RendererOptions {
-    bool validation = true;      // API validation and synchronisation validation, where installed
-    bool renderPass = false;     // Vulkan: VkRenderPass instead of dynamic rendering
-    bool inlineRecording = false; // Vulkan: callbacks record into the host's command buffer
+    bool validation = true;              // API validation and synchronisation validation, where installed
+    bool renderPass = false;             // Vulkan: VkRenderPass instead of dynamic rendering
+    bool inlineRecording = false;        // Vulkan: callbacks record into the host's command buffer
     bool noConditionalRendering = false; // Vulkan: the device runs all batches, needed or not
-    bool noGeometryShaders = false; // Vulkan: do not enable geometry shaders
+    bool noGeometryShaders = false;      // Vulkan: do not enable geometry shaders
     uint32_t shadowMapSize = 2048;
     uint32_t keptViews = 2; // views of the SDK that are kept: measurements alternate between views
     // OpenGL
@@ -47,13 +47,13 @@ struct RenderSettings {
     glm::dvec3 worldOffset{0};  // offset of scene, lights and camera, which tests precision far from 0
     uint32_t frames = 1;
     uint32_t warmup = 0;
-    bool switchFacts = false;   // each frame has the next facts of switchedFacts()
-    double footprint = 1;       // width over which textures are filtered, in pixels, (0, 1]; not for the tier IDS
-    uint32_t alphaPoints = 1;   // alpha reads of cut-outs per texel of the target: 1, 4 or 16
-    uint32_t ditherFrame = 0;   // AgaaFrame::ditherFrame
+    bool switchFacts = false;    // each frame has the next facts of switchedFacts()
+    double footprint = 1;        // width over which textures are filtered, in pixels, (0, 1]; not for the tier IDS
+    uint32_t alphaPoints = 1;    // alpha reads of cut-outs per texel of the target: 1, 4 or 16
+    uint32_t ditherFrame = 0;    // AgaaFrame::ditherFrame
     uint32_t unfetchedEvery = 0; // tier IDS: every unfetchedEvery-th draw cannot be fetched; 0: none
-    bool splitSegments = false; // record each segment in a separate call
-    bool vertexPulling = false; // AGAA_VIEW_VERTEX_PULLING
+    bool splitSegments = false;  // record each segment in a separate call
+    bool vertexPulling = false;  // AGAA_VIEW_VERTEX_PULLING
 };
 
 // The result of a configuration in the SDK.
@@ -64,12 +64,12 @@ struct PlanSummary {
 };
 
 struct RenderResult {
-    Image image; // image of the last frame, linear
-    std::vector<double> frameMs; // time from submission to completion per counted frame, without warm-up
+    Image image;                          // image of the last frame, linear
+    std::vector<double> frameMs;          // time from submission to completion per counted frame, without warm-up
     std::vector<double> recordToFinishMs; // time from the beginning of recording to completion
-    std::vector<double> recordMs; // time in the SDK's recording calls, without the draw callbacks
-    std::vector<AgaaFrameStatistics> statistics; // per counted frame
-    std::optional<AgaaFactReport> facts; // report of the last frame, with AGAA_CONFIG_CHECK_FACTS
+    std::vector<double> recordMs;         // time in the SDK's recording calls, without the draw callbacks
+    std::vector<AgaaFrameStatistics> statistics;       // per counted frame
+    std::optional<AgaaFactReport> facts;               // report of the last frame, with AGAA_CONFIG_CHECK_FACTS
     AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT; // predicted for this device
     PlanSummary plan;
 };

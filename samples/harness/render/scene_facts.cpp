@@ -42,7 +42,8 @@ bool isFlat(const Scene& scene, const Mesh& mesh) {
         const glm::dvec3 n = glm::cross(glm::dvec3(vertex(1).position) - a, glm::dvec3(vertex(2).position) - a);
         const double size = glm::length(n);
         for (uint32_t corner = 0; corner < 3 && size > 0; ++corner)
-            if (std::abs(glm::dot(n, glm::dvec3(vertex(corner).normal))) < least * size * glm::length(vertex(corner).normal))
+            if (std::abs(glm::dot(n, glm::dvec3(vertex(corner).normal))) <
+                least * size * glm::length(vertex(corner).normal))
                 return false;
     }
     return true;
@@ -58,7 +59,8 @@ uint64_t commonValues(const Scene& scene, const std::vector<UsedMaterial>& used,
     if (isDielectric)
         flags |= AGAA_FACT_ONE_SPECULAR; // 0.04, the default
     else if (all([&](const UsedMaterial& u) { return u.material.metallic == 0 || isGrey(u.material); }) &&
-             std::ranges::all_of(scene.vertices, [](const Vertex& v) { return v.color.r == v.color.g && v.color.g == v.color.b; }))
+             std::ranges::all_of(scene.vertices,
+                                 [](const Vertex& v) { return v.color.r == v.color.g && v.color.g == v.color.b; }))
         flags |= AGAA_FACT_GREY_SPECULAR;
     if (all([](const UsedMaterial& u) { return u.material.metallic == 1 && u.material.metalRoughTexture < 0; }))
         flags |= AGAA_FACT_NO_DIFFUSE;

@@ -18,8 +18,7 @@ public:
     const std::vector<std::string>& texts() const { return texts_; }
 
 private:
-    static void AGAA_CALL onMessage(void* user, uint32_t severity, AgaaResult code,
-                                    const char* message);
+    static void AGAA_CALL onMessage(void* user, uint32_t severity, AgaaResult code, const char* message);
 
     std::vector<std::string> texts_;
     std::string lastError_;

@@ -8,8 +8,7 @@ AgaaMemoryReport predictMemory(const AgaaViewDesc& desc, const AgaaDeviceCaps& c
     const AgaaLog callback = log.log();
     AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
     uint32_t surfaceCount = 0;
-    log.check(agaaQueryMemory(&desc, &caps, &callback, &report, &surfaceCount, nullptr),
-               "agaaQueryMemory");
+    log.check(agaaQueryMemory(&desc, &caps, &callback, &report, &surfaceCount, nullptr), "agaaQueryMemory");
     return report;
 }
 

@@ -10,15 +10,13 @@
 
 namespace harness {
 
-template <class DrawPass>
-struct SdkView {
+template <class DrawPass> struct SdkView {
     AgaaView view = nullptr;
     std::vector<DrawPass> passes;
     std::string key; // key of the view's settings
 };
 
-template <class DrawPass>
-class SdkViews {
+template <class DrawPass> class SdkViews {
 public:
     explicit SdkViews(size_t kept) : kept_(kept) {}
     ~SdkViews() {
@@ -33,10 +31,8 @@ public:
     template <class Create, class List>
     const SdkView<DrawPass>& get(const AgaaViewDesc& desc, const Create& create, const List& list) {
         const std::string key = viewKey(desc);
-        const auto found =
-            std::find_if(views_.begin(), views_.end(), [&](const SdkView<DrawPass>& view) {
-                return !key.empty() && view.key == key;
-            });
+        const auto found = std::find_if(views_.begin(), views_.end(),
+                                        [&](const SdkView<DrawPass>& view) { return !key.empty() && view.key == key; });
         if (found != views_.end()) {
             views_.splice(views_.begin(), views_, found);
             return views_.front();
@@ -52,7 +48,7 @@ public:
     }
 
 private:
-    size_t kept_; // at least 2
+    size_t kept_;                        // at least 2
     std::list<SdkView<DrawPass>> views_; // most recently used first
 };
 

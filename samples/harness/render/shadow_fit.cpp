@@ -28,8 +28,7 @@ Axes axesAlong(const glm::dvec3& direction) {
     return {right, glm::cross(right, forward), forward};
 }
 
-glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z,
-                    const glm::dvec4& w) {
+glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z, const glm::dvec4& w) {
     return glm::transpose(glm::dmat4(x, y, z, w));
 }
 
@@ -39,8 +38,7 @@ struct Sphere {
 };
 
 // Returns the whole scene, or the part around the camera's target if the scene is much larger.
-Sphere directionalFocus(const Scene& scene, const CameraMatrices& camera,
-                        const glm::dvec3& worldOffset) {
+Sphere directionalFocus(const Scene& scene, const CameraMatrices& camera, const glm::dvec3& worldOffset) {
     const glm::dvec3 center = (scene.boundsMin + scene.boundsMax) / 2.0 + worldOffset;
     const double whole = std::max(glm::length(scene.boundsMax - scene.boundsMin) / 2, 1e-6);
     // A camera's target may be an arbitrary point close in front of it.
@@ -60,8 +58,7 @@ ShadowFit fitDirectional(const Light& light, const Scene& scene, const CameraMat
     const double texel = 2 * focus.radius / mapSize;
     const glm::dvec3 anchor = scene.boundsMin + worldOffset;
     const auto snap = [&](const glm::dvec3& axis) {
-        return std::round(glm::dot(focus.center - anchor, axis) / texel) * texel +
-               glm::dot(anchor - camera.eye, axis);
+        return std::round(glm::dot(focus.center - anchor, axis) / texel) * texel + glm::dot(anchor - camera.eye, axis);
     };
     const double x = snap(axes.right);
     const double y = snap(axes.up);
@@ -82,8 +79,7 @@ ShadowFit fitDirectional(const Light& light, const Scene& scene, const CameraMat
     const double depth = zMax - zMin;
 
     ShadowFit fit;
-    fit.layers.push_back(fromRows(glm::dvec4(axes.right, -x) / focus.radius,
-                                  glm::dvec4(axes.up, -y) / focus.radius,
+    fit.layers.push_back(fromRows(glm::dvec4(axes.right, -x) / focus.radius, glm::dvec4(axes.up, -y) / focus.radius,
                                   glm::dvec4(axes.forward, -zMin) / depth, {0, 0, 0, 1}));
     fit.depthBias = biasTexels * texel / depth;
     return fit;
@@ -101,8 +97,7 @@ glm::dmat4 perspectiveLayer(const Axes& axes, const Cone& cone) {
     const double range = cone.farPlane - cone.nearPlane;
     glm::dvec4 z = row(axes.forward, cone.farPlane / range);
     z.w -= cone.nearPlane * cone.farPlane / range;
-    return fromRows(row(axes.right, 1 / cone.tanHalf), row(axes.up, 1 / cone.tanHalf), z,
-                    row(axes.forward, 1));
+    return fromRows(row(axes.right, 1 / cone.tanHalf), row(axes.up, 1 / cone.tanHalf), z, row(axes.forward, 1));
 }
 
 // A texel grows with the distance, while a step of the map's depth shrinks with its square. One bias fits one distance
@@ -110,17 +105,16 @@ glm::dmat4 perspectiveLayer(const Axes& axes, const Cone& cone) {
 double perspectiveBias(const Cone& cone, uint32_t mapSize) {
     const double middle = std::sqrt(cone.nearPlane * cone.farPlane);
     const double texel = 2 * cone.tanHalf * middle / mapSize;
-    const double depthPerLength =
-        cone.nearPlane * cone.farPlane / ((cone.farPlane - cone.nearPlane) * middle * middle);
+    const double depthPerLength = cone.nearPlane * cone.farPlane / ((cone.farPlane - cone.nearPlane) * middle * middle);
     return biasTexels * texel * depthPerLength;
 }
 
-Cone coneOf(const Light& light, const Scene& scene, const CameraMatrices& camera,
-            const glm::dvec3& worldOffset, double halfAngle) {
+Cone coneOf(const Light& light, const Scene& scene, const CameraMatrices& camera, const glm::dvec3& worldOffset,
+            double halfAngle) {
     Cone cone;
     cone.position = light.position + worldOffset - camera.eye;
-    const glm::dvec3 reach = glm::max(glm::abs(scene.boundsMin - light.position),
-                                      glm::abs(scene.boundsMax - light.position));
+    const glm::dvec3 reach =
+        glm::max(glm::abs(scene.boundsMin - light.position), glm::abs(scene.boundsMax - light.position));
     cone.farPlane = std::max(1.01 * glm::length(reach), 1e-6);
     if (light.range > 0)
         cone.farPlane = std::min(cone.farPlane, double(light.range));
@@ -131,8 +125,8 @@ Cone coneOf(const Light& light, const Scene& scene, const CameraMatrices& camera
 
 } // namespace
 
-ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices& camera,
-                    const glm::dvec3& worldOffset, uint32_t mapSize) {
+ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices& camera, const glm::dvec3& worldOffset,
+                    uint32_t mapSize) {
     ShadowFit fit;
     if (light.type == LightType::Directional)
         return fitDirectional(light, scene, camera, worldOffset, mapSize);

@@ -13,8 +13,8 @@ struct ShadowFit {
     double depthBias = 0;           // bias in units of the map's depth
 };
 
-ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices& camera,
-                    const glm::dvec3& worldOffset, uint32_t mapSize);
+ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices& camera, const glm::dvec3& worldOffset,
+                    uint32_t mapSize);
 
 AgaaShadow toAgaaShadow(const ShadowFit& fit);
 

@@ -36,7 +36,8 @@ struct TechniqueConfig : AgaaConfig {
     }
     // Returns whether views keep fragments in lists.
     bool keepsLists() const {
-        return coversByEdges() && generationTier != AGAA_TIER_FRAGMENT_INTERLOCK && generationTier != AGAA_TIER_RASTER_ORDER;
+        return coversByEdges() && generationTier != AGAA_TIER_FRAGMENT_INTERLOCK &&
+               generationTier != AGAA_TIER_RASTER_ORDER;
     }
     // Returns whether views need an AgaaFetchFunction, or AUTO prefers one.
     bool fetches() const {

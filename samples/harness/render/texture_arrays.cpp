@@ -17,13 +17,9 @@ struct Size {
     uint64_t texels() const { return uint64_t(width) * height; }
 };
 
-uint32_t layerSide(uint32_t size) {
-    return std::min(std::bit_ceil(size), largestLayer);
-}
+uint32_t layerSide(uint32_t size) { return std::min(std::bit_ceil(size), largestLayer); }
 
-Size layerSize(const Texture& texture) {
-    return {layerSide(texture.width), layerSide(texture.height)};
-}
+Size layerSize(const Texture& texture) { return {layerSide(texture.width), layerSide(texture.height)}; }
 
 // Splits textures by whether both sides are at most `side`.
 struct Split {
@@ -39,9 +35,7 @@ struct Split {
             most = {std::max(most.width, size.width), std::max(most.height, size.height)};
         }
     }
-    uint64_t texels() const {
-        return large.size() * largeSize.texels() + small.size() * smallSize.texels();
-    }
+    uint64_t texels() const { return large.size() * largeSize.texels() + small.size() * smallSize.texels(); }
 };
 
 Split bestSplit(const Scene& scene, const std::set<int>& used) {
@@ -97,8 +91,7 @@ TextureLayers makeLayers(const Scene& scene, const std::vector<int>& textures, S
 
 } // namespace
 
-TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used,
-                                const std::vector<MipOptions>& options) {
+TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used, const std::vector<MipOptions>& options) {
     const Split split = bestSplit(scene, used);
     TextureArrays arrays{makeLayers(scene, split.large, split.largeSize, options),
                          makeLayers(scene, split.small, split.smallSize, options),

@@ -14,14 +14,14 @@ namespace harness {
 using TextureLayers = std::vector<std::vector<MipLevel>>;
 
 struct TextureLayer {
-    int layer = -1; // small textures have layers from firstSmallLayer on
+    int layer = -1;                      // small textures have layers from firstSmallLayer on
     uint32_t repeatsU = 0, repeatsV = 0; // log2 of the repetitions of the texture in the layer
 };
 
 struct TextureArrays {
     TextureLayers large;
     TextureLayers small;
-    bool isSplit = false;      // false: `small` holds no texture of the scene
+    bool isSplit = false;               // false: `small` holds no texture of the scene
     std::map<int, TextureLayer> layers; // key: index into Scene::textures
 
     TextureLayer layerOf(int texture) const { return texture < 0 ? TextureLayer{} : layers.at(texture); }
@@ -29,7 +29,6 @@ struct TextureArrays {
 inline constexpr int firstSmallLayer = 1 << 20; // above the layer limit of all devices
 
 // `used` holds indices into Scene::textures; `options` has one element for each texture there.
-TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used,
-                                const std::vector<MipOptions>& options);
+TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used, const std::vector<MipOptions>& options);
 
 } // namespace harness

@@ -12,8 +12,7 @@ namespace {
 // undefined.
 class Key {
 public:
-    template <class Value>
-    void add(const Value& value) {
+    template <class Value> void add(const Value& value) {
         static_assert(std::is_arithmetic_v<Value>);
         bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
@@ -26,11 +25,10 @@ private:
 
 void addLayout(Key& key, const AgaaLayout& layout) {
     key.add(layout.attributeCount);
-    for (uint32_t i = 0; i < std::min<uint32_t>(layout.attributeCount, AGAA_MAX_LAYOUT_ATTRIBUTES);
-         ++i) {
+    for (uint32_t i = 0; i < std::min<uint32_t>(layout.attributeCount, AGAA_MAX_LAYOUT_ATTRIBUTES); ++i) {
         const AgaaLayoutAttribute& a = layout.attributes[i];
-        for (const uint32_t value : {a.semantic, a.channels, a.sampleBits, a.aggregateBits,
-                                     a.chromaBits, a.encoding, a.filter})
+        for (const uint32_t value :
+             {a.semantic, a.channels, a.sampleBits, a.aggregateBits, a.chromaBits, a.encoding, a.filter})
             key.add(value);
         key.add(a.range);
         key.add(a.name);
@@ -60,7 +58,8 @@ bool isKnown(const AgaaConfig& config) {
     for (auto* next = static_cast<const AgaaStructHeader*>(config.pNext); next;
          next = static_cast<const AgaaStructHeader*>(next->pNext))
         if (next->sType != AGAA_STRUCTURE_TYPE_AGGREGATION && next->sType != AGAA_STRUCTURE_TYPE_MEASUREMENT &&
-            next->sType != AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE && next->sType != AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING)
+            next->sType != AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE &&
+            next->sType != AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING)
             return false;
     return true;
 }
@@ -73,14 +72,12 @@ std::string viewKey(const AgaaViewDesc& desc) {
     const bool fetches = chained && chained->sType == AGAA_STRUCTURE_TYPE_FETCH_FUNCTION && !chained->pNext;
     if ((chained && !fetches) || !isKnown(config) || desc.facts->pNext || (config.layout && config.layout->pNext))
         return {};
-    const auto aggregation =
-        chainedOr(config, AGAA_STRUCTURE_TYPE_AGGREGATION, AgaaAggregation AGAA_AGGREGATION_INIT);
+    const auto aggregation = chainedOr(config, AGAA_STRUCTURE_TYPE_AGGREGATION, AgaaAggregation AGAA_AGGREGATION_INIT);
     const auto coverage =
         chainedOr(config, AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, AgaaDecoupledCoverage AGAA_DECOUPLED_COVERAGE_INIT);
     const auto adaptive =
         chainedOr(config, AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, AgaaAdaptiveSampling AGAA_ADAPTIVE_SAMPLING_INIT);
-    const auto measurement =
-        chainedOr(config, AGAA_STRUCTURE_TYPE_MEASUREMENT, AgaaMeasurement AGAA_MEASUREMENT_INIT);
+    const auto measurement = chainedOr(config, AGAA_STRUCTURE_TYPE_MEASUREMENT, AgaaMeasurement AGAA_MEASUREMENT_INIT);
     Key key;
     if (fetches)
         addFetchFunction(key, *static_cast<const AgaaFetchFunction*>(desc.pNext));
@@ -89,15 +86,16 @@ std::string viewKey(const AgaaViewDesc& desc) {
     key.add(desc.flags);
     key.add(config.technique);
     for (const uint32_t value :
-         {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds,
-          config.shadowTaps, config.visibilityTier, config.generationTier, measurement.shadingCost,
-          aggregation.litShadows, measurement.debugView, coverage.merge, coverage.maxBatches, coverage.tableSize})
+         {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds, config.shadowTaps,
+          config.visibilityTier, config.generationTier, measurement.shadingCost, aggregation.litShadows,
+          measurement.debugView, coverage.merge, coverage.maxBatches, coverage.tableSize})
         key.add(value);
-    for (const float value : {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance,
-                              aggregation.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
-                              config.surfaceMaterial, aggregation.glossWeight, coverage.fragmentsPerPixel, adaptive.depthScale, adaptive.normalScale,
-                              adaptive.shadingScale, adaptive.shadingThreshold, adaptive.shadingMinimum,
-                              adaptive.glossWeight, adaptive.targetEvents, adaptive.countMemory})
+    for (const float value :
+         {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance, aggregation.aggregateThreshold,
+          config.surfaceCosine, config.surfaceDistance, config.surfaceMaterial, aggregation.glossWeight,
+          coverage.fragmentsPerPixel, adaptive.depthScale, adaptive.normalScale, adaptive.shadingScale,
+          adaptive.shadingThreshold, adaptive.shadingMinimum, adaptive.glossWeight, adaptive.targetEvents,
+          adaptive.countMemory})
         key.add(value);
     key.add(config.flags);
     key.add(measurement.flags);

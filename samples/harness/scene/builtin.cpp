@@ -72,7 +72,8 @@ std::optional<Scene> makeBuiltinScene(std::string_view name) {
         if (entry.description.name == name)
             return finished(entry.make(), name, entry.description.stresses);
     if (const std::optional<uint32_t> count = bladesOf(name))
-        return finished(builtin::makeBlades(*count), name, "Blades of grass behind a railing, as many as the name says.");
+        return finished(builtin::makeBlades(*count), name,
+                        "Blades of grass behind a railing, as many as the name says.");
     return std::nullopt;
 }
 

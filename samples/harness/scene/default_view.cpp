@@ -43,7 +43,8 @@ double reachOf(const Scene& scene, const Camera& camera) {
 }
 
 // minRange and maxRange are shares of reachOf(). `irradiance` is the irradiance at half the range.
-Light randomPointLight(const Scene& scene, const Camera& camera, Random& random, float minRange, float maxRange, float irradiance) {
+Light randomPointLight(const Scene& scene, const Camera& camera, Random& random, float minRange, float maxRange,
+                       float irradiance) {
     const double reach = reachOf(scene, camera);
     Light light;
     light.type = LightType::Point;

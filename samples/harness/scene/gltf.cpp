@@ -23,8 +23,8 @@ glm::dmat4 localTransform(const tinygltf::Node& node) {
     if (node.translation.size() == 3)
         transform[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1);
     if (node.rotation.size() == 4)
-        transform *= glm::mat4_cast(glm::normalize(
-            glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])));
+        transform *= glm::mat4_cast(
+            glm::normalize(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])));
     if (node.scale.size() == 3)
         for (int i = 0; i < 3; ++i)
             transform[i] *= node.scale[size_t(i)];
@@ -71,8 +71,7 @@ Camera cameraOf(const tinygltf::Camera& source, const glm::dmat4& transform) {
 class NodeWalk {
 public:
     NodeWalk(GltfReader& reader, std::vector<uint32_t> firstMesh)
-        : reader_(reader), firstMesh_(std::move(firstMesh)),
-          seen_(reader.model.nodes.size(), false) {}
+        : reader_(reader), firstMesh_(std::move(firstMesh)), seen_(reader.model.nodes.size(), false) {}
 
     // Traverses depth first with an explicit stack, because a file may nest deeper than the call stack allows.
     void visit(const std::vector<int>& roots) {
@@ -107,8 +106,7 @@ private:
     void take(const tinygltf::Node& node, const glm::dmat4& transform) {
         if (node.mesh >= 0) {
             reader_.at(reader_.model.meshes, node.mesh, "meshes");
-            for (uint32_t mesh = firstMesh_[size_t(node.mesh)];
-                 mesh < firstMesh_[size_t(node.mesh) + 1]; ++mesh)
+            for (uint32_t mesh = firstMesh_[size_t(node.mesh)]; mesh < firstMesh_[size_t(node.mesh) + 1]; ++mesh)
                 reader_.scene.instances.push_back({mesh, transform});
         }
         if (node.camera >= 0) {
@@ -119,8 +117,7 @@ private:
         const auto light = node.extensions.find("KHR_lights_punctual");
         if (light != node.extensions.end() && light->second.Has("light"))
             reader_.scene.lights.push_back(
-                lightOf(reader_.at(reader_.model.lights,
-                                   light->second.Get("light").GetNumberAsInt(), "lights"),
+                lightOf(reader_.at(reader_.model.lights, light->second.Get("light").GetNumberAsInt(), "lights"),
                         transform, hasSun_));
     }
 
@@ -131,8 +128,8 @@ private:
 };
 
 // tinygltf returns a pointer into a buffer without comparing the view with the buffer's size.
-bool loadImage(tinygltf::Image* image, const int index, std::string* error, std::string* warning,
-               int width, int height, const unsigned char* bytes, int size, void* model) {
+bool loadImage(tinygltf::Image* image, const int index, std::string* error, std::string* warning, int width, int height,
+               const unsigned char* bytes, int size, void* model) {
     if (image->bufferView >= 0) {
         const auto& source = *static_cast<const tinygltf::Model*>(model);
         const tinygltf::BufferView& view = source.bufferViews[size_t(image->bufferView)];
@@ -142,8 +139,7 @@ bool loadImage(tinygltf::Image* image, const int index, std::string* error, std:
             return false;
         }
     }
-    return tinygltf::LoadImageData(image, index, error, warning, width, height, bytes, size,
-                                   nullptr);
+    return tinygltf::LoadImageData(image, index, error, warning, width, height, bytes, size, nullptr);
 }
 
 bool startsAsBinary(const std::filesystem::path& path) {
@@ -156,9 +152,8 @@ void loadModel(const std::filesystem::path& path, tinygltf::Model& model) {
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(loadImage, &model);
     std::string errors, warnings;
-    const bool loaded = startsAsBinary(path)
-                            ? loader.LoadBinaryFromFile(&model, &errors, &warnings, path.string())
-                            : loader.LoadASCIIFromFile(&model, &errors, &warnings, path.string());
+    const bool loaded = startsAsBinary(path) ? loader.LoadBinaryFromFile(&model, &errors, &warnings, path.string())
+                                             : loader.LoadASCIIFromFile(&model, &errors, &warnings, path.string());
     if (!loaded) {
         const std::string first = errors.substr(0, errors.find('\n'));
         throw std::runtime_error(first.empty() ? "unknown reason" : first);
@@ -218,8 +213,7 @@ Scene loadScene(const std::string& nameOrPath) {
         return std::move(*scene);
     const std::string extension = std::filesystem::path(nameOrPath).extension().string();
     if (extension != ".gltf" && extension != ".glb")
-        throw std::runtime_error("\"" + nameOrPath +
-                                 "\" is neither a built-in scene nor a .gltf or .glb file.");
+        throw std::runtime_error("\"" + nameOrPath + "\" is neither a built-in scene nor a .gltf or .glb file.");
     return loadGltf(nameOrPath);
 }
 

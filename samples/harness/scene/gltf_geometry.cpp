@@ -22,8 +22,7 @@ public:
         size_ = size_t(tinygltf::GetComponentSizeInBytes(uint32_t(accessor_->componentType)));
         if (accessor_->bufferView < 0)
             reader.fail("an accessor has no data");
-        const auto& view =
-            reader.at(reader.model.bufferViews, accessor_->bufferView, "bufferViews");
+        const auto& view = reader.at(reader.model.bufferViews, accessor_->bufferView, "bufferViews");
         const auto& buffer = reader.at(reader.model.buffers, view.buffer, "buffers");
         const int stride = accessor_->ByteStride(view);
         if (stride <= 0)
@@ -31,11 +30,10 @@ public:
         stride_ = size_t(stride);
         // Each check bounds the next term, so that no sum or product of a file's numbers can overflow.
         const size_t bytes = buffer.data.size();
-        const bool inside = view.byteOffset <= bytes &&
-                            view.byteLength <= bytes - view.byteOffset &&
-                            accessor_->byteOffset <= view.byteLength && count() <= bytes &&
-                            (count() == 0 || (count() - 1) * stride_ + components_ * size_ <=
-                                                 view.byteLength - accessor_->byteOffset);
+        const bool inside =
+            view.byteOffset <= bytes && view.byteLength <= bytes - view.byteOffset &&
+            accessor_->byteOffset <= view.byteLength && count() <= bytes &&
+            (count() == 0 || (count() - 1) * stride_ + components_ * size_ <= view.byteLength - accessor_->byteOffset);
         if (!inside)
             reader.fail("an accessor reaches beyond its buffer");
         data_ = buffer.data.data() + view.byteOffset + accessor_->byteOffset;
@@ -89,8 +87,7 @@ private:
     const unsigned char* data_ = nullptr;
 };
 
-std::vector<uint32_t> triangleList(const GltfReader& reader, const tinygltf::Primitive& primitive,
-                                   size_t vertexCount) {
+std::vector<uint32_t> triangleList(const GltfReader& reader, const tinygltf::Primitive& primitive, size_t vertexCount) {
     std::vector<uint32_t> source;
     if (primitive.indices >= 0) {
         const AccessorView view(reader, primitive.indices);
@@ -133,8 +130,8 @@ int attribute(const tinygltf::Primitive& primitive, const char* name) {
 }
 
 template <typename Set>
-bool readAttribute(const GltfReader& reader, const tinygltf::Primitive& primitive, const char* name,
-                   size_t components, std::span<Vertex> vertices, Set set) {
+bool readAttribute(const GltfReader& reader, const tinygltf::Primitive& primitive, const char* name, size_t components,
+                   std::span<Vertex> vertices, Set set) {
     const int index = attribute(primitive, name);
     if (index < 0)
         return false;
@@ -148,9 +145,7 @@ bool readAttribute(const GltfReader& reader, const tinygltf::Primitive& primitiv
     return true;
 }
 
-uint8_t byteOf(float value) {
-    return uint8_t(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
-}
+uint8_t byteOf(float value) { return uint8_t(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f))); }
 
 void readPrimitive(GltfReader& reader, const tinygltf::Primitive& primitive) {
     Scene& scene = reader.scene;
@@ -161,8 +156,7 @@ void readPrimitive(GltfReader& reader, const tinygltf::Primitive& primitive) {
     mesh.firstVertex = uint32_t(scene.vertices.size());
     mesh.vertexCount = uint32_t(positions.count());
     mesh.firstIndex = uint32_t(scene.indices.size());
-    mesh.material = primitive.material >= 0 ? uint32_t(primitive.material)
-                                            : uint32_t(scene.materials.size() - 1);
+    mesh.material = primitive.material >= 0 ? uint32_t(primitive.material) : uint32_t(scene.materials.size() - 1);
     if (mesh.material >= scene.materials.size())
         reader.fail("a primitive names a material that is not there");
     const std::vector<uint32_t> indices = triangleList(reader, primitive, positions.count());
@@ -171,30 +165,24 @@ void readPrimitive(GltfReader& reader, const tinygltf::Primitive& primitive) {
     mesh.indexCount = uint32_t(indices.size());
     scene.vertices.resize(scene.vertices.size() + mesh.vertexCount);
     const std::span<Vertex> vertices = std::span(scene.vertices).subspan(mesh.firstVertex);
-    readAttribute(reader, primitive, "POSITION", 3, vertices,
-                  [](Vertex& v, const AccessorView& a, size_t i) {
-                      v.position = {a.number(i, 0), a.number(i, 1), a.number(i, 2)};
-                  });
-    if (!readAttribute(reader, primitive, "NORMAL", 3, vertices,
-                       [](Vertex& v, const AccessorView& a, size_t i) {
-                           const glm::vec3 n(a.number(i, 0), a.number(i, 1), a.number(i, 2));
-                           const float length2 = glm::dot(n, n);
-                           v.normal =
-                               length2 > 1e-20f ? n / std::sqrt(length2) : glm::vec3(0, 1, 0);
-                       }))
+    readAttribute(reader, primitive, "POSITION", 3, vertices, [](Vertex& v, const AccessorView& a, size_t i) {
+        v.position = {a.number(i, 0), a.number(i, 1), a.number(i, 2)};
+    });
+    if (!readAttribute(reader, primitive, "NORMAL", 3, vertices, [](Vertex& v, const AccessorView& a, size_t i) {
+            const glm::vec3 n(a.number(i, 0), a.number(i, 1), a.number(i, 2));
+            const float length2 = glm::dot(n, n);
+            v.normal = length2 > 1e-20f ? n / std::sqrt(length2) : glm::vec3(0, 1, 0);
+        }))
         generateNormals(vertices, indices);
-    readAttribute(reader, primitive, "TEXCOORD_0", 2, vertices,
-                  [](Vertex& v, const AccessorView& a, size_t i) {
-                      v.uv = {a.number(i, 0), a.number(i, 1)};
-                  });
-    readAttribute(reader, primitive, "COLOR_0", 3, vertices,
-                  [](Vertex& v, const AccessorView& a, size_t i) {
-                      for (int c = 0; c < 4; ++c)
-                          v.color[c] = size_t(c) < a.components() ? byteOf(a.number(i, size_t(c)))
-                                                                  : uint8_t(255);
-                  });
-    const bool hasTangents = readAttribute(
-        reader, primitive, "TANGENT", 4, vertices, [](Vertex& v, const AccessorView& a, size_t i) {
+    readAttribute(reader, primitive, "TEXCOORD_0", 2, vertices, [](Vertex& v, const AccessorView& a, size_t i) {
+        v.uv = {a.number(i, 0), a.number(i, 1)};
+    });
+    readAttribute(reader, primitive, "COLOR_0", 3, vertices, [](Vertex& v, const AccessorView& a, size_t i) {
+        for (int c = 0; c < 4; ++c)
+            v.color[c] = size_t(c) < a.components() ? byteOf(a.number(i, size_t(c))) : uint8_t(255);
+    });
+    const bool hasTangents =
+        readAttribute(reader, primitive, "TANGENT", 4, vertices, [](Vertex& v, const AccessorView& a, size_t i) {
             const glm::vec3 t(a.number(i, 0), a.number(i, 1), a.number(i, 2));
             v.tangent = {tangentAcross(v.normal, t), a.number(i, 3) < 0 ? -1.0f : 1.0f};
         });
@@ -211,10 +199,9 @@ std::vector<uint32_t> readMeshes(GltfReader& reader) {
     for (const tinygltf::Mesh& mesh : reader.model.meshes) {
         first.push_back(uint32_t(reader.scene.meshes.size()));
         for (const tinygltf::Primitive& primitive : mesh.primitives) {
-            const bool triangles = primitive.mode == TINYGLTF_MODE_TRIANGLES ||
-                                   primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
-                                   primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN ||
-                                   primitive.mode == -1; // triangles by default
+            const bool triangles =
+                primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+                primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN || primitive.mode == -1; // triangles by default
             if (triangles && attribute(primitive, "POSITION") >= 0)
                 readPrimitive(reader, primitive);
         }

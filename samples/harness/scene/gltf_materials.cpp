@@ -69,9 +69,7 @@ private:
 };
 
 // Numbers in a file may exceed the range of float.
-float finiteFloat(double value) {
-    return float(std::clamp(value, -1e15, 1e15));
-}
+float finiteFloat(double value) { return float(std::clamp(value, -1e15, 1e15)); }
 
 // Emission that half floats cannot hold keeps its hue: its largest channel becomes their maximum.
 glm::vec3 scaledEmission(const glm::vec3& factor, float strength) {

@@ -15,12 +15,9 @@ struct GltfReader {
     std::string file; // named in errors
     Scene& scene;
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw std::runtime_error(file + ": " + what + ".");
-    }
+    [[noreturn]] void fail(const std::string& what) const { throw std::runtime_error(file + ": " + what + "."); }
     // Returns the element of a list at an index of a file.
-    template <typename T>
-    const T& at(const std::vector<T>& list, int index, const char* what) const {
+    template <typename T> const T& at(const std::vector<T>& list, int index, const char* what) const {
         if (index < 0 || size_t(index) >= list.size())
             fail(std::string("an index of ") + what + " is out of range");
         return list[size_t(index)];

@@ -22,8 +22,7 @@ void generateNormals(std::span<Vertex> vertices, std::span<const uint32_t> indic
     std::vector<glm::vec3> sums(vertices.size(), glm::vec3(0));
     for (size_t i = 0; i + 2 < indices.size(); i += 3) {
         const glm::vec3& a = vertices[indices[i]].position;
-        const glm::vec3 n = glm::cross(vertices[indices[i + 1]].position - a,
-                                       vertices[indices[i + 2]].position - a);
+        const glm::vec3 n = glm::cross(vertices[indices[i + 1]].position - a, vertices[indices[i + 2]].position - a);
         for (size_t corner = 0; corner < 3; ++corner)
             sums[indices[i + corner]] += n;
     }

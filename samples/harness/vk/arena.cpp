@@ -15,8 +15,7 @@ VkDeviceSize alignUp(VkDeviceSize value, VkDeviceSize alignment) {
 
 } // namespace
 
-uint32_t Arena::memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
-                           VkMemoryPropertyFlags preferred) const {
+uint32_t Arena::memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const {
     const VkPhysicalDeviceMemoryProperties& memory = device_->memory();
     for (const VkMemoryPropertyFlags flags : {wanted | preferred, wanted}) {
         for (uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
@@ -28,12 +27,11 @@ uint32_t Arena::memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
 }
 
 Arena::Allocation Arena::allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
-                             VkMemoryPropertyFlags preferred, bool isImage) {
+                                  VkMemoryPropertyFlags preferred, bool isImage) {
     const uint32_t type = memoryType(requirements.memoryTypeBits, wanted, preferred);
     for (Block& block : blocks_) {
         const VkDeviceSize offset = alignUp(block.used, requirements.alignment);
-        if (block.type == type && block.isImages == isImage &&
-            offset + requirements.size <= block.size) {
+        if (block.type == type && block.isImages == isImage && offset + requirements.size <= block.size) {
             block.used = offset + requirements.size;
             return {block.memory.get(), offset, block.mapped ? block.mapped + offset : nullptr};
         }
@@ -53,16 +51,15 @@ Arena::Allocation Arena::allocate(const VkMemoryRequirements& requirements, VkMe
     block.memory = make<DeviceMemory>(device_->get(), vkAllocateMemory, info, "allocate memory");
     if (wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) {
         void* mapped = nullptr;
-        check(vkMapMemory(device_->get(), block.memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped),
-              "map memory");
+        check(vkMapMemory(device_->get(), block.memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped), "map memory");
         block.mapped = static_cast<std::byte*>(mapped);
     }
     blocks_.push_back(std::move(block));
     return {blocks_.back().memory.get(), 0, blocks_.back().mapped};
 }
 
-BufferResource Arena::buffer(VkDeviceSize size, VkBufferUsageFlags usage,
-                             VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) {
+BufferResource Arena::buffer(VkDeviceSize size, VkBufferUsageFlags usage, VkMemoryPropertyFlags wanted,
+                             VkMemoryPropertyFlags preferred) {
     VkBufferCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
     info.size = size;
@@ -85,13 +82,11 @@ BufferResource Arena::deviceBuffer(VkDeviceSize size, VkBufferUsageFlags usage) 
 }
 
 BufferResource Arena::hostBuffer(VkDeviceSize size, VkBufferUsageFlags usage, bool isRead) {
-    return buffer(size, usage,
-                  VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
+    return buffer(size, usage, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                   isRead ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : 0);
 }
 
-ImageResource Arena::image(const VkImageCreateInfo& info, VkImageViewType viewType,
-                           VkImageAspectFlags aspect) {
+ImageResource Arena::image(const VkImageCreateInfo& info, VkImageViewType viewType, VkImageAspectFlags aspect) {
     ImageResource result;
     result.image = make<ImageHandle>(device_->get(), vkCreateImage, info, "create an image");
     VkMemoryRequirements requirements;

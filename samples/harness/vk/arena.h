@@ -27,8 +27,7 @@ public:
     // Creates a host-visible, coherent buffer. isRead: the host reads it, so cached memory is preferred.
     BufferResource hostBuffer(VkDeviceSize size, VkBufferUsageFlags usage, bool isRead = false);
     // The view covers all levels and layers.
-    ImageResource image(const VkImageCreateInfo& info, VkImageViewType viewType,
-                        VkImageAspectFlags aspect);
+    ImageResource image(const VkImageCreateInfo& info, VkImageViewType viewType, VkImageAspectFlags aspect);
 
 private:
     struct Block {
@@ -45,9 +44,8 @@ private:
         std::byte* mapped;
     };
     Allocation allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
-                   VkMemoryPropertyFlags preferred, bool isImage);
-    uint32_t memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
-                        VkMemoryPropertyFlags preferred) const;
+                        VkMemoryPropertyFlags preferred, bool isImage);
+    uint32_t memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const;
     BufferResource buffer(VkDeviceSize size, VkBufferUsageFlags usage, VkMemoryPropertyFlags wanted,
                           VkMemoryPropertyFlags preferred);
 

@@ -6,8 +6,8 @@ namespace harness::vk {
 
 std::string resultName(VkResult result) {
     switch (result) {
-#define CASE(name)                                                                                 \
-    case name:                                                                                     \
+#define CASE(name)                                                                                                     \
+    case name:                                                                                                         \
         return #name
         CASE(VK_SUCCESS);
         CASE(VK_NOT_READY);
@@ -34,8 +34,7 @@ std::string resultName(VkResult result) {
 
 void check(VkResult result, const char* what) {
     if (result < 0)
-        throw std::runtime_error("Vulkan could not " + std::string(what) + ": " +
-                                 resultName(result) + ".");
+        throw std::runtime_error("Vulkan could not " + std::string(what) + ": " + resultName(result) + ".");
 }
 
 } // namespace harness::vk

@@ -14,8 +14,7 @@ std::string resultName(VkResult result);
 void check(VkResult result, const char* what);
 
 // A handle that belongs to a device. Destroy is a function of the API, such as vkDestroyImage.
-template <class Handle, auto Destroy>
-class Owned {
+template <class Handle, auto Destroy> class Owned {
 public:
     Owned() = default;
     Owned(VkDevice device, Handle handle) : device_(device), handle_(handle) {}

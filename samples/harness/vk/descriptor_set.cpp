@@ -2,7 +2,8 @@
 
 namespace harness::vk {
 
-DescriptorSet::DescriptorSet(VkDevice device, VkDescriptorSetLayout layout, std::span<const VkDescriptorPoolSize> sizes) {
+DescriptorSet::DescriptorSet(VkDevice device, VkDescriptorSetLayout layout,
+                             std::span<const VkDescriptorPoolSize> sizes) {
     VkDescriptorPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
     pool.maxSets = 1;

@@ -15,8 +15,7 @@ namespace {
 
 constexpr const char* validationLayer = "VK_LAYER_KHRONOS_validation";
 
-template <class Item, class Call>
-std::vector<Item> enumerate(Call call, const char* what) {
+template <class Item, class Call> std::vector<Item> enumerate(Call call, const char* what) {
     uint32_t count = 0;
     check(call(&count, nullptr), what);
     std::vector<Item> items(count);
@@ -27,13 +26,10 @@ std::vector<Item> enumerate(Call call, const char* what) {
 
 bool hasLayer(const char* name) {
     const auto layers = enumerate<VkLayerProperties>(
-        [](uint32_t* count, VkLayerProperties* items) {
-            return vkEnumerateInstanceLayerProperties(count, items);
-        },
+        [](uint32_t* count, VkLayerProperties* items) { return vkEnumerateInstanceLayerProperties(count, items); },
         "list the layers");
-    return std::any_of(layers.begin(), layers.end(), [name](const VkLayerProperties& layer) {
-        return std::strcmp(layer.layerName, name) == 0;
-    });
+    return std::any_of(layers.begin(), layers.end(),
+                       [name](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, name) == 0; });
 }
 
 bool hasInstanceExtension(const char* name, const char* layer) {
@@ -42,9 +38,8 @@ bool hasInstanceExtension(const char* name, const char* layer) {
             return vkEnumerateInstanceExtensionProperties(layer, count, items);
         },
         "list the instance extensions");
-    return std::any_of(extensions.begin(), extensions.end(), [name](const auto& extension) {
-        return std::strcmp(extension.extensionName, name) == 0;
-    });
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [name](const auto& extension) { return std::strcmp(extension.extensionName, name) == 0; });
 }
 
 std::optional<uint32_t> graphicsAndComputeFamily(VkPhysicalDevice device) {
@@ -88,9 +83,7 @@ Device::Device(const RendererOptions& options) {
     }
 }
 
-Device::~Device() {
-    destroy();
-}
+Device::~Device() { destroy(); }
 
 void Device::createInstance(bool useValidation) {
     check(vkEnumerateInstanceVersion(&instanceVersion_), "ask for its version");
@@ -99,8 +92,7 @@ void Device::createInstance(bool useValidation) {
     VkApplicationInfo application{};
     application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
     application.pApplicationName = "agaa-harness";
-    application.apiVersion =
-        instanceVersion_ >= VK_API_VERSION_1_3 ? VK_API_VERSION_1_3 : VK_API_VERSION_1_2;
+    application.apiVersion = instanceVersion_ >= VK_API_VERSION_1_3 ? VK_API_VERSION_1_3 : VK_API_VERSION_1_2;
 
     std::vector<const char*> layers;
     std::vector<const char*> extensions;
@@ -109,8 +101,7 @@ void Device::createInstance(bool useValidation) {
     info.pApplicationInfo = &application;
 
     VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(messages_);
-    const VkValidationFeatureEnableEXT enabled[] = {
-        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+    const VkValidationFeatureEnableEXT enabled[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
     VkValidationFeaturesEXT validation{};
     validation.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
     validation.enabledValidationFeatureCount = 1;
@@ -128,9 +119,8 @@ void Device::createInstance(bool useValidation) {
         }
     }
     const bool hasMessenger =
-        useValidation &&
-        (hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr) ||
-         (isValidated && hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validationLayer)));
+        useValidation && (hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr) ||
+                          (isValidated && hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validationLayer)));
     if (hasMessenger) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
         messenger.pNext = info.pNext; // reports the creation and destruction of the instance, too
@@ -175,15 +165,13 @@ void Device::choosePhysicalDevice() {
         }
     }
     if (physicalDevice_ == VK_NULL_HANDLE)
-        throw std::runtime_error(wanted
-                                     ? "No Vulkan 1.2 device has \"" + std::string(wanted) +
-                                           "\" in its name, as AGAA_DEVICE demands."
-                                     : "There is no Vulkan 1.2 device with graphics and compute.");
+        throw std::runtime_error(wanted ? "No Vulkan 1.2 device has \"" + std::string(wanted) +
+                                              "\" in its name, as AGAA_DEVICE demands."
+                                        : "There is no Vulkan 1.2 device with graphics and compute.");
     vkGetPhysicalDeviceMemoryProperties(physicalDevice_, &memory_);
-    apiVersion_ =
-        instanceVersion_ >= VK_API_VERSION_1_3 && properties_.apiVersion >= VK_API_VERSION_1_3
-            ? VK_API_VERSION_1_3
-            : VK_API_VERSION_1_2;
+    apiVersion_ = instanceVersion_ >= VK_API_VERSION_1_3 && properties_.apiVersion >= VK_API_VERSION_1_3
+                      ? VK_API_VERSION_1_3
+                      : VK_API_VERSION_1_2;
 }
 
 void Device::createDevice(const RendererOptions& options) {
@@ -204,10 +192,9 @@ void Device::createDevice(const RendererOptions& options) {
         },
         "list the device extensions");
     const auto enable = [&](const char* wanted) {
-        const bool isThere =
-            std::any_of(available.begin(), available.end(), [wanted](const auto& extension) {
-                return std::strcmp(extension.extensionName, wanted) == 0;
-            });
+        const bool isThere = std::any_of(available.begin(), available.end(), [wanted](const auto& extension) {
+            return std::strcmp(extension.extensionName, wanted) == 0;
+        });
         if (isThere)
             extensions_.push_back(wanted);
         return isThere;
@@ -217,7 +204,8 @@ void Device::createDevice(const RendererOptions& options) {
         const char* extension = requirements.optionalDeviceExtensions[i];
         const auto is = [extension](const char* name) { return std::strcmp(extension, name) == 0; };
         if ((is(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME) && isUnwanted("dynamicRendering")) ||
-            (is(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME) && isUnwanted("conditionalRendering")) || !enable(extension))
+            (is(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME) && isUnwanted("conditionalRendering")) ||
+            !enable(extension))
             continue;
         has.dynamicRendering |= is(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME);
         has.synchronization2 |= is(VK_KHR_SYNCHRONIZATION_2_EXTENSION_NAME);
@@ -232,8 +220,8 @@ void Device::createDevice(const RendererOptions& options) {
     for (uint32_t i = 0; i < requirements.requiredFeatureCount; ++i) {
         const std::string feature = requirements.requiredFeatures[i];
         if (!supported.isSet(feature))
-            throw std::runtime_error("The device \"" + name() + "\" lacks the feature \"" +
-                                     feature + "\", which the SDK requires.");
+            throw std::runtime_error("The device \"" + name() + "\" lacks the feature \"" + feature +
+                                     "\", which the SDK requires.");
         enabled.set(feature);
     }
     for (uint32_t i = 0; i < requirements.optionalFeatureCount; ++i) {
@@ -243,9 +231,10 @@ void Device::createDevice(const RendererOptions& options) {
     }
     // Only the sample engine uses the feature. Mesa's software rasteriser (22.3) reads wrong texels with it at the
     // edges of triangles.
-    hasAnisotropy_ = properties_.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU &&
-                     supported.isSet("samplerAnisotropy") && enabled.set("samplerAnisotropy");
-    hasPrimitiveIds_ = !isUnwanted("geometryShader") && supported.isSet("geometryShader") && enabled.set("geometryShader");
+    hasAnisotropy_ = properties_.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU && supported.isSet("samplerAnisotropy") &&
+                     enabled.set("samplerAnisotropy");
+    hasPrimitiveIds_ =
+        !isUnwanted("geometryShader") && supported.isSet("geometryShader") && enabled.set("geometryShader");
     hasDynamicRendering_ = enabled.isSet("dynamicRendering");
 
     const float priority = 1;
@@ -316,8 +305,7 @@ double Device::submitAndWait(VkCommandBuffer commands) const {
     const auto start = std::chrono::steady_clock::now();
     check(vkQueueSubmit(queue_, 1, &submit, fence), "submit commands");
     check(vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX), "wait for the device");
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     check(vkResetFences(device_, 1, &fence), "reset a fence");
     vkFreeCommandBuffers(device_, commandPool_.get(), 1, &commands);
     return elapsed.count();
@@ -339,8 +327,7 @@ void Device::runCommands(const std::function<void(VkCommandBuffer)>& record) con
 }
 
 AgaaVkFunction AGAA_CALL Device::getProcAddr(void* instance, const char* name) {
-    return reinterpret_cast<AgaaVkFunction>(
-        vkGetInstanceProcAddr(static_cast<VkInstance>(instance), name));
+    return reinterpret_cast<AgaaVkFunction>(vkGetInstanceProcAddr(static_cast<VkInstance>(instance), name));
 }
 
 } // namespace harness::vk

@@ -35,9 +35,7 @@ FeatureChain::FeatureChain(uint32_t apiVersion, const Extensions& has) {
         append(attachmentOrder_);
 }
 
-void FeatureChain::query(VkPhysicalDevice device) {
-    vkGetPhysicalDeviceFeatures2(device, &core_);
-}
+void FeatureChain::query(VkPhysicalDevice device) { vkGetPhysicalDeviceFeatures2(device, &core_); }
 
 bool FeatureChain::isSet(std::string_view name) const {
     const VkBool32* feature = find(name);
@@ -52,8 +50,8 @@ bool FeatureChain::set(std::string_view name) {
 }
 
 const VkBool32* FeatureChain::find(std::string_view name) const {
-#define FEATURE(object, member)                                                                    \
-    if (name == #member)                                                                           \
+#define FEATURE(object, member)                                                                                        \
+    if (name == #member)                                                                                               \
     return &(object).member
     FEATURE(core_.features, robustBufferAccess);
     FEATURE(core_.features, imageCubeArray);

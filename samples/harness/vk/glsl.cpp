@@ -32,9 +32,8 @@ std::string withSourceLines(const std::string& log, const std::string& source) {
     for (std::string message; std::getline(messages, message);) {
         result += message + "\n";
         const size_t colon = message.find(": 0:");
-        const size_t number = colon == std::string::npos
-                                  ? 0
-                                  : size_t(std::strtoul(message.c_str() + colon + 4, nullptr, 10));
+        const size_t number =
+            colon == std::string::npos ? 0 : size_t(std::strtoul(message.c_str() + colon + 4, nullptr, 10));
         if (number >= 1 && number <= lines.size())
             result += "    " + lines[number - 1] + "\n";
     }
@@ -43,8 +42,7 @@ std::string withSourceLines(const std::string& log, const std::string& source) {
 
 } // namespace
 
-std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
-                                  const std::string& name) {
+std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source, const std::string& name) {
     static const Glslang library;
     const EShLanguage language = stage == ShaderStage::Vertex     ? EShLangVertex
                                  : stage == ShaderStage::Geometry ? EShLangGeometry
@@ -52,8 +50,7 @@ std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
                                                                   : EShLangCompute;
     const auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
     const auto fail = [&](const std::string& log) {
-        throw std::runtime_error("The shader \"" + name + "\" does not compile:\n" +
-                                 withSourceLines(log, source));
+        throw std::runtime_error("The shader \"" + name + "\" does not compile:\n" + withSourceLines(log, source));
     };
 
     glslang::TShader shader(language);
@@ -77,8 +74,6 @@ std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
     return spirv;
 }
 
-std::string vulkanText(const char* body) {
-    return std::string("#version 450\n") + embedded::interface_glsl + body;
-}
+std::string vulkanText(const char* body) { return std::string("#version 450\n") + embedded::interface_glsl + body; }
 
 } // namespace harness::vk

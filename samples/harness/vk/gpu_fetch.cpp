@@ -8,8 +8,18 @@
 namespace harness::vk {
 
 // Bindings of shaders/fetch.glsl.
-enum : uint32_t { CameraBinding, ColorBinding, ValueBinding, DrawBinding, MaterialBinding, VertexBinding, IndexBinding,
-                  SmallColorBinding, SmallValueBinding, BindingCount };
+enum : uint32_t {
+    CameraBinding,
+    ColorBinding,
+    ValueBinding,
+    DrawBinding,
+    MaterialBinding,
+    VertexBinding,
+    IndexBinding,
+    SmallColorBinding,
+    SmallValueBinding,
+    BindingCount
+};
 
 static bool isTexels(uint32_t binding) { return binding >= DrawBinding && binding <= IndexBinding; }
 

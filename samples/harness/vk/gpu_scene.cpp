@@ -35,14 +35,12 @@ void GpuScene::uploadGeometry(Uploader& uploader, const Scene& scene) {
     const auto vertices = std::as_bytes(std::span(scene.vertices));
     const auto indices = std::as_bytes(std::span(scene.indices));
     // A scene may be empty, but a buffer may not.
-    vertices_ =
-        arena_.deviceBuffer(std::max(vertices.size(), sizeof(Vertex)),
-                            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
-                                VK_BUFFER_USAGE_TRANSFER_DST_BIT);
-    indices_ =
-        arena_.deviceBuffer(std::max(indices.size(), sizeof(uint32_t)),
-                            VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
-                                VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    vertices_ = arena_.deviceBuffer(std::max(vertices.size(), sizeof(Vertex)),
+                                    VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+                                        VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    indices_ = arena_.deviceBuffer(std::max(indices.size(), sizeof(uint32_t)),
+                                   VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+                                       VK_BUFFER_USAGE_TRANSFER_DST_BIT);
     uploader.fill(vertices_, vertices);
     uploader.fill(indices_, indices);
 }
@@ -52,10 +50,8 @@ void GpuScene::uploadTextures(Uploader& uploader, const Scene& scene) {
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         const Texture& texture = scene.textures[i];
         if (std::max(texture.width, texture.height) > device_->limits().maxImageDimension2D)
-            throw std::runtime_error("The texture \"" + texture.name +
-                                     "\" is larger than the device allows.");
-        textures_.push_back(
-            uploader.texture(arena_, makeMipChain(texture, options[i]), texture.srgb));
+            throw std::runtime_error("The texture \"" + texture.name + "\" is larger than the device allows.");
+        textures_.push_back(uploader.texture(arena_, makeMipChain(texture, options[i]), texture.srgb));
         textureWraps_.emplace_back(texture.wrapU, texture.wrapV);
     }
     // This texture is bound if a material has no texture, because a driver may read every binding of a bound set.
@@ -89,8 +85,7 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
 
     std::array<VkDescriptorSetLayoutBinding, materialTextureCount + 1> bindings{};
     for (uint32_t i = 0; i < bindings.size(); ++i)
-        bindings[i] = {i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
-                       VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+        bindings[i] = {i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
     bindings[materialConstantsBinding].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     VkDescriptorSetLayoutCreateInfo layout{};
     layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
@@ -107,8 +102,7 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
     pool.maxSets = count;
     pool.poolSizeCount = uint32_t(sizes.size());
     pool.pPoolSizes = sizes.data();
-    pool_ = make<DescriptorPool>(device_->get(), vkCreateDescriptorPool, pool,
-                                 "create a descriptor pool");
+    pool_ = make<DescriptorPool>(device_->get(), vkCreateDescriptorPool, pool, "create a descriptor pool");
     const std::vector<VkDescriptorSetLayout> layouts(count, layout_.get());
     VkDescriptorSetAllocateInfo allocation{};
     allocation.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
@@ -116,15 +110,13 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
     allocation.descriptorSetCount = count;
     allocation.pSetLayouts = layouts.data();
     materialSets_.resize(count);
-    check(vkAllocateDescriptorSets(device_->get(), &allocation, materialSets_.data()),
-          "allocate descriptor sets");
+    check(vkAllocateDescriptorSets(device_->get(), &allocation, materialSets_.data()), "allocate descriptor sets");
 
-    const VkDeviceSize alignment =
-        std::max<VkDeviceSize>(device_->limits().minUniformBufferOffsetAlignment, 1);
+    const VkDeviceSize alignment = std::max<VkDeviceSize>(device_->limits().minUniformBufferOffsetAlignment, 1);
     const VkDeviceSize stride = (sizeof(MaterialConstants) + alignment - 1) / alignment * alignment;
     std::vector<std::byte> constants(size_t(stride) * count);
-    materialConstants_ = arena_.deviceBuffer(
-        constants.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    materialConstants_ =
+        arena_.deviceBuffer(constants.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
 
     for (uint32_t m = 0; m < count; ++m) {
         const Material& material = materials[m];
@@ -139,8 +131,7 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
         const MaterialConstants values = materialConstants(material);
         std::memcpy(&constants[size_t(stride) * m], &values, sizeof values);
 
-        const VkDescriptorBufferInfo buffer{materialConstants_.buffer.get(), stride * m,
-                                            sizeof(MaterialConstants)};
+        const VkDescriptorBufferInfo buffer{materialConstants_.buffer.get(), stride * m, sizeof(MaterialConstants)};
         std::array<VkWriteDescriptorSet, 2> writes{};
         for (VkWriteDescriptorSet& write : writes) {
             write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -176,8 +167,7 @@ VertexInput::VertexInput(uint32_t locations) {
                   {2, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)},
                   {3, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)},
                   {4, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(Vertex, color)}};
-    std::erase_if(attributes,
-                  [locations](const auto& a) { return !(locations >> a.location & 1); });
+    std::erase_if(attributes, [locations](const auto& a) { return !(locations >> a.location & 1); });
     state.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
     state.vertexBindingDescriptionCount = attributes.empty() ? 0 : 1;
     state.pVertexBindingDescriptions = &binding;

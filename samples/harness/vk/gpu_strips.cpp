@@ -35,7 +35,8 @@ GpuStrips::GpuStrips(const Device& device, const Scene& scene, const GpuScene& g
     layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     layout.bindingCount = uint32_t(std::size(bindings));
     layout.pBindings = bindings;
-    layout_ = make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout, layout, "create a descriptor set layout");
+    layout_ =
+        make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout, layout, "create a descriptor set layout");
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, uint32_t(std::size(bindings))};
     set_ = DescriptorSet(device.get(), layout_.get(), {&size, 1});
     const VkBufferView views[] = {texels_[0].get(), texels_[1].get()};

@@ -31,9 +31,8 @@ std::string pullingText(const DrawPass<AgaaVkDrawPass>& pass) {
 PassPipelines::PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout)
     : device_(&device), cameraLayout_(cameraLayout) {}
 
-void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene,
-                            const std::vector<Draw>& draws, VkDescriptorSetLayout materialLayout,
-                            VkDescriptorSetLayout stripLayout) {
+void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws,
+                            VkDescriptorSetLayout materialLayout, VkDescriptorSetLayout stripLayout) {
     Program& program = programs_[pass.pipelineKey];
     const std::string text = std::string(pass.glslExtensions) + pass.glslDeclarations;
     if (!program.layout) {
@@ -52,8 +51,8 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
             program.geometry = makeShader(*device_, ShaderStage::Geometry, geometryText(pass), "corners.geom");
     }
     if (program.text != text)
-        throw std::runtime_error(std::string("The SDK gave two shaders of the pass \"") +
-                                 pass.name + "\" the same pipeline key.");
+        throw std::runtime_error(std::string("The SDK gave two shaders of the pass \"") + pass.name +
+                                 "\" the same pipeline key.");
     for (const Draw& draw : draws) {
         const Variant variant = variantOf(scene, draw);
         Pipeline& pipeline = program.pipelines[variant];
@@ -61,15 +60,14 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
             continue;
         ShaderModule& fragment = program.fragments[variant.isMasked];
         if (!fragment)
-            fragment =
-                makeShader(*device_, ShaderStage::Fragment, fragmentText(pass, variant.isMasked),
-                           std::string("material.frag, ") + pass.name);
+            fragment = makeShader(*device_, ShaderStage::Fragment, fragmentText(pass, variant.isMasked),
+                                  std::string("material.frag, ") + pass.name);
         pipeline = makePipeline(pass, program, variant);
     }
 }
 
-PipelineLayout PassPipelines::makeLayout(const DrawPass<AgaaVkDrawPass>& pass,
-                                         VkDescriptorSetLayout materials, VkDescriptorSetLayout strips) const {
+PipelineLayout PassPipelines::makeLayout(const DrawPass<AgaaVkDrawPass>& pass, VkDescriptorSetLayout materials,
+                                         VkDescriptorSetLayout strips) const {
     std::array<VkDescriptorSetLayout, 4> sets{};
     sets[cameraSetIndex] = cameraLayout_;
     sets[agaaSetIndex] = (VkDescriptorSetLayout)pass.native.descriptorSetLayout;
@@ -82,38 +80,31 @@ PipelineLayout PassPipelines::makeLayout(const DrawPass<AgaaVkDrawPass>& pass,
     info.pSetLayouts = sets.data();
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &constants;
-    return make<PipelineLayout>(device_->get(), vkCreatePipelineLayout, info,
-                                "create a pipeline layout");
+    return make<PipelineLayout>(device_->get(), vkCreatePipelineLayout, info, "create a pipeline layout");
 }
 
 Pipeline PassPipelines::makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const Program& program,
                                      const Variant& variant) const {
     PipelineState state(pass, variant.isMasked);
-    state.rasterization.cullMode =
-        variant.isDoubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
-    state.rasterization.frontFace =
-        variant.isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
+    state.rasterization.cullMode = variant.isDoubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+    state.rasterization.frontFace = variant.isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
     state.fragmentConstant = variant.features;
     state.geometry = program.geometry.get();
     if (pass.state.vertexPulling)
         state.vertexLocations = 0;
     const VkRenderPass renderPass = (VkRenderPass)pass.native.renderPass;
     return state.create(*device_, program.vertex->get(), program.fragments[variant.isMasked].get(),
-                        program.layout.get(), renderPass,
-                        renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
+                        program.layout.get(), renderPass, renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
 }
 
 const PassPipelines::Program& PassPipelines::program(uint64_t pipelineKey) const {
     const auto found = programs_.find(pipelineKey);
     if (found == programs_.end())
-        throw std::runtime_error(
-            "The SDK asked for a draw with a pipeline key that it had not told.");
+        throw std::runtime_error("The SDK asked for a draw with a pipeline key that it had not told.");
     return found->second;
 }
 
-VkPipelineLayout PassPipelines::layout(uint64_t pipelineKey) const {
-    return program(pipelineKey).layout.get();
-}
+VkPipelineLayout PassPipelines::layout(uint64_t pipelineKey) const { return program(pipelineKey).layout.get(); }
 
 VkPipeline PassPipelines::pipeline(uint64_t pipelineKey, const Variant& variant) const {
     const auto& pipelines = program(pipelineKey).pipelines;

@@ -42,8 +42,7 @@ private:
     const Program& program(uint64_t pipelineKey) const;
     PipelineLayout makeLayout(const DrawPass<AgaaVkDrawPass>& pass, VkDescriptorSetLayout materials,
                               VkDescriptorSetLayout strips) const;
-    Pipeline makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const Program& program,
-                          const Variant& variant) const;
+    Pipeline makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const Program& program, const Variant& variant) const;
 
     const Device* device_;
     VkDescriptorSetLayout cameraLayout_;

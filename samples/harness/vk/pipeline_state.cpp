@@ -27,8 +27,7 @@ bool hasStencil(VkFormat format) {
 
 } // namespace
 
-ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source,
-                        const std::string& name) {
+ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source, const std::string& name) {
     const std::vector<uint32_t> code = compileGlsl(stage, source, name);
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;

@@ -12,8 +12,7 @@
 
 namespace harness::vk {
 
-ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source,
-                        const std::string& name);
+ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source, const std::string& name);
 
 // State with triangle lists, dynamic viewport and scissor, and without depth, stencil or colour until the user sets
 // them.
@@ -26,11 +25,11 @@ public:
     PipelineState& operator=(const PipelineState&) = delete;
 
     // `fragment` may be null.
-    Pipeline create(const Device& device, VkShaderModule vertex, VkShaderModule fragment,
-                    VkPipelineLayout layout, VkRenderPass renderPass, const void* next = nullptr);
+    Pipeline create(const Device& device, VkShaderModule vertex, VkShaderModule fragment, VkPipelineLayout layout,
+                    VkRenderPass renderPass, const void* next = nullptr);
 
-    uint32_t fragmentConstant = 0;   // specialisation constant 0 of the fragment shader
-    uint32_t vertexLocations = 0x1F; // bits of the attributes that the vertex shader reads
+    uint32_t fragmentConstant = 0;            // specialisation constant 0 of the fragment shader
+    uint32_t vertexLocations = 0x1F;          // bits of the attributes that the vertex shader reads
     VkShaderModule geometry = VK_NULL_HANDLE; // may be null
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkPipelineRasterizationStateCreateInfo rasterization{};

@@ -2,17 +2,14 @@
 
 namespace harness::vk {
 
-SdkContext::SdkContext(const Device& device, const RendererOptions& options,
-                       uint32_t descriptorSet) {
+SdkContext::SdkContext(const Device& device, const RendererOptions& options, uint32_t descriptorSet) {
     createContext(device, options, descriptorSet);
     views_.emplace(options.keptViews);
 }
 
-void SdkContext::createContext(const Device& device, const RendererOptions& options,
-                               uint32_t descriptorSet) {
+void SdkContext::createContext(const Device& device, const RendererOptions& options, uint32_t descriptorSet) {
     const AgaaLog log = log_.log();
-    log_.check(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), Device::getProcAddr,
-                                   &log, &caps_),
+    log_.check(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), Device::getProcAddr, &log, &caps_),
                "agaaVkGetDeviceCaps");
     AgaaVkDeviceDesc desc = AGAA_VK_DEVICE_DESC_INIT;
     desc.instance = device.instance();
@@ -25,8 +22,7 @@ void SdkContext::createContext(const Device& device, const RendererOptions& opti
     desc.enabledExtensionCount = uint32_t(device.extensions().size());
     desc.enabledFeatures = device.features();
     desc.rendering = options.renderPass ? AGAA_VK_RENDERING_RENDER_PASS : AGAA_VK_RENDERING_AUTO;
-    desc.recording =
-        options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
+    desc.recording = options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
     desc.descriptorSet = descriptorSet;
     AgaaContextDesc common = AGAA_CONTEXT_DESC_INIT;
     common.pNext = &desc;

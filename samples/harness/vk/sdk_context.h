@@ -25,8 +25,7 @@ public:
     const VkSdkView& view(const AgaaViewDesc& desc);
 
 private:
-    void createContext(const Device& device, const RendererOptions& options,
-                       uint32_t descriptorSet);
+    void createContext(const Device& device, const RendererOptions& options, uint32_t descriptorSet);
 
     SdkLog log_;
     AgaaContext context_ = nullptr;

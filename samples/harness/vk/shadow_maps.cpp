@@ -34,8 +34,7 @@ RenderPass makeRenderPass(const Device& device) {
     read.dstSubpass = VK_SUBPASS_EXTERNAL;
     read.srcStageMask = VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT;
     read.srcAccessMask = VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
-    read.dstStageMask =
-        VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+    read.dstStageMask = VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     read.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
     VkRenderPassCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO;
@@ -56,9 +55,7 @@ ShadowMaps::ShadowMaps(const Device& device, uint32_t size)
       fragment_(makeShader(device, ShaderStage::Fragment, vulkanText(embedded::shadow_frag), "shadow.frag")),
       arena_(device) {}
 
-void ShadowMaps::invalidate() {
-    key_.clear();
-}
+void ShadowMaps::invalidate() { key_.clear(); }
 
 void ShadowMaps::createPipelines(VkDescriptorSetLayout materialLayout) {
     const VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(glm::mat4)};
@@ -68,8 +65,7 @@ void ShadowMaps::createPipelines(VkDescriptorSetLayout materialLayout) {
     info.pSetLayouts = &materialLayout;
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &constants;
-    layout_ = make<PipelineLayout>(device_->get(), vkCreatePipelineLayout, info,
-                                   "create a pipeline layout");
+    layout_ = make<PipelineLayout>(device_->get(), vkCreatePipelineLayout, info, "create a pipeline layout");
 
     PipelineState state(0);
     state.vertexLocations = 1 << 0 | 1 << 3 | 1 << 4;
@@ -78,14 +74,12 @@ void ShadowMaps::createPipelines(VkDescriptorSetLayout materialLayout) {
     state.depthStencil.depthCompareOp = VK_COMPARE_OP_LESS;
     state.rasterization.depthBiasEnable = VK_TRUE;
     state.rasterization.depthBiasSlopeFactor = 1.5f;
-    opaque_ =
-        state.create(*device_, vertex_.get(), VK_NULL_HANDLE, layout_.get(), renderPass_.get());
-    masked_ =
-        state.create(*device_, vertex_.get(), fragment_.get(), layout_.get(), renderPass_.get());
+    opaque_ = state.create(*device_, vertex_.get(), VK_NULL_HANDLE, layout_.get(), renderPass_.get());
+    masked_ = state.create(*device_, vertex_.get(), fragment_.get(), layout_.get(), renderPass_.get());
 }
 
-void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene,
-                        const RenderSettings& settings, const CameraMatrices& camera) {
+void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                        const CameraMatrices& camera) {
     std::vector<double> key = shadowKey(settings.lights, settings.worldOffset, camera);
     if (key == key_)
         return;
@@ -95,17 +89,15 @@ void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene,
     arena_ = Arena(*device_);
     createPipelines(gpuScene.materialLayout());
     for (const size_t i : shadowedLights(settings.lights)) {
-        const ShadowFit fit =
-            fitShadow(settings.lights[i], scene, camera, settings.worldOffset, size_);
+        const ShadowFit fit = fitShadow(settings.lights[i], scene, camera, settings.worldOffset, size_);
         renderMap(gpuScene, scene, settings, camera.eye, fit.layers);
         shadows_.push_back(toAgaaShadow(fit));
     }
     key_ = std::move(key);
 }
 
-void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene,
-                           const RenderSettings& settings, const glm::dvec3& eye,
-                           const std::vector<glm::dmat4>& layers) {
+void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                           const glm::dvec3& eye, const std::vector<glm::dmat4>& layers) {
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
@@ -127,8 +119,7 @@ void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene,
         view.viewType = VK_IMAGE_VIEW_TYPE_2D;
         view.format = depthFormat;
         view.subresourceRange = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, layer, 1};
-        views.push_back(
-            make<ImageView>(device_->get(), vkCreateImageView, view, "create an image view"));
+        views.push_back(make<ImageView>(device_->get(), vkCreateImageView, view, "create an image view"));
         const VkImageView attachment = views.back().get();
         VkFramebufferCreateInfo framebuffer{};
         framebuffer.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
@@ -138,8 +129,8 @@ void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene,
         framebuffer.width = size_;
         framebuffer.height = size_;
         framebuffer.layers = 1;
-        framebuffers.push_back(make<Framebuffer>(device_->get(), vkCreateFramebuffer, framebuffer,
-                                                 "create a framebuffer"));
+        framebuffers.push_back(
+            make<Framebuffer>(device_->get(), vkCreateFramebuffer, framebuffer, "create a framebuffer"));
     }
 
     device_->runCommands([&](VkCommandBuffer commands) {
@@ -161,8 +152,7 @@ void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene,
 }
 
 void ShadowMaps::renderLayer(VkCommandBuffer commands, const GpuScene& gpuScene, const Scene& scene,
-                             const RenderSettings& settings, const glm::dvec3& eye,
-                             const glm::dmat4& toClip) const {
+                             const RenderSettings& settings, const glm::dvec3& eye, const glm::dmat4& toClip) const {
     setViewport(commands, size_, size_);
     gpuScene.bindGeometry(commands);
     VkPipeline bound = VK_NULL_HANDLE;
@@ -176,14 +166,12 @@ void ShadowMaps::renderLayer(VkCommandBuffer commands, const GpuScene& gpuScene,
         if (draw.isMasked && mesh.material != material) {
             material = mesh.material;
             const VkDescriptorSet set = gpuScene.materialSet(material);
-            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1,
-                                    &set, 0, nullptr);
+            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &set, 0, nullptr);
         }
         const glm::mat4 matrix(toClip * draw.toShading);
         vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof matrix,
                            glm::value_ptr(matrix));
-        vkCmdDrawIndexed(commands, mesh.indexCount, 1, mesh.firstIndex, int32_t(mesh.firstVertex),
-                         0);
+        vkCmdDrawIndexed(commands, mesh.indexCount, 1, mesh.firstIndex, int32_t(mesh.firstVertex), 0);
     }
 }
 

@@ -24,12 +24,11 @@ public:
     VkImageView view(size_t shadow) const { return maps_[shadow].view.get(); }
 
 private:
-    void renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
-                   const glm::dvec3& eye, const std::vector<glm::dmat4>& layers);
+    void renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings, const glm::dvec3& eye,
+                   const std::vector<glm::dmat4>& layers);
     void createPipelines(VkDescriptorSetLayout materialLayout);
     void renderLayer(VkCommandBuffer commands, const GpuScene& gpuScene, const Scene& scene,
-                     const RenderSettings& settings, const glm::dvec3& eye,
-                     const glm::dmat4& toClip) const;
+                     const RenderSettings& settings, const glm::dvec3& eye, const glm::dmat4& toClip) const;
 
     const Device* device_;
     uint32_t size_;

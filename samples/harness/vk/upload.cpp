@@ -49,8 +49,8 @@ ImageResource Uploader::textureArray(Arena& arena, const std::vector<std::vector
     return sampledImage(arena, pointers, srgb, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
 }
 
-ImageResource Uploader::sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers,
-                                     bool srgb, VkImageViewType viewType) {
+ImageResource Uploader::sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers, bool srgb,
+                                     VkImageViewType viewType) {
     const std::vector<MipLevel>& first = *layers.at(0);
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;

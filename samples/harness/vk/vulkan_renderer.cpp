@@ -13,22 +13,19 @@ namespace {
 
 DescriptorSetLayout makeCameraLayout(const Device& device) {
     const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
-                                               VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
-                                               nullptr};
+                                               VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
     VkDescriptorSetLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     info.bindingCount = 1;
     info.pBindings = &binding;
-    return make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout, info,
-                                     "create a descriptor set layout");
+    return make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout, info, "create a descriptor set layout");
 }
 
 } // namespace
 
 VulkanRenderer::VulkanRenderer(const RendererOptions& options)
-    : device_(options), sdk_(device_, options, agaaSetIndex), arena_(device_),
-      cameraLayout_(makeCameraLayout(device_)), pipelines_(device_, cameraLayout_.get()),
-      shadowMaps_(device_, options.shadowMapSize) {
+    : device_(options), sdk_(device_, options, agaaSetIndex), arena_(device_), cameraLayout_(makeCameraLayout(device_)),
+      pipelines_(device_, cameraLayout_.get()), shadowMaps_(device_, options.shadowMapSize) {
     createCameraSet();
 }
 
@@ -116,9 +113,8 @@ void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer comman
         vkFrame.outputLayoutIn = VK_IMAGE_LAYOUT_GENERAL;
     }
 
-    record(input, "agaaVkRecordFrame", [&](const AgaaFrame& frame) {
-        return agaaVkRecordFrame(view_->view, &frame, &vkFrame);
-    });
+    record(input, "agaaVkRecordFrame",
+           [&](const AgaaFrame& frame) { return agaaVkRecordFrame(view_->view, &frame, &vkFrame); });
 }
 
 void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
@@ -133,8 +129,8 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
     sets[cameraSetIndex] = cameraSet_.get();
     sets[agaaSetIndex] = (VkDescriptorSet)target.descriptorSet;
     static_assert(cameraSetIndex + 1 == agaaSetIndex);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, cameraSetIndex,
-                            uint32_t(sets.size()), sets.data(), 0, nullptr);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, cameraSetIndex, uint32_t(sets.size()),
+                            sets.data(), 0, nullptr);
 
     VkPipeline bound = VK_NULL_HANDLE;
     VkDescriptorSet boundMaterial = VK_NULL_HANDLE;
@@ -143,19 +139,17 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
         if (!isDrawnIn(target, draw))
             continue;
         const Mesh& mesh = scene().meshes[draw.mesh];
-        const VkPipeline pipeline =
-            pipelines_.pipeline(target.pipelineKey, variantOf(scene(), draw));
+        const VkPipeline pipeline = pipelines_.pipeline(target.pipelineKey, variantOf(scene(), draw));
         if (pipeline != bound)
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
         bound = pipeline;
         const VkDescriptorSet material = gpuScene_->materialSet(mesh.material);
         if (material != boundMaterial)
-            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout,
-                                    materialSetIndex, 1, &material, 0, nullptr);
+            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, materialSetIndex, 1, &material,
+                                    0, nullptr);
         boundMaterial = material;
         const DrawConstants constants = drawConstants(scene(), draw, index);
-        vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
-                           &constants);
+        vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants, &constants);
         if (target.state.vertexPulling)
             strips_->draw(commands, mesh);
         else

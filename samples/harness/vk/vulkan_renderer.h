@@ -46,7 +46,7 @@ private:
     vk::ShadowMaps shadowMaps_;
     std::optional<vk::OutputImage> output_;
     std::optional<vk::GpuScene> gpuScene_;
-    std::optional<vk::GpuFetch> fetch_; // set if a view fetches materials by id
+    std::optional<vk::GpuFetch> fetch_;   // set if a view fetches materials by id
     std::optional<vk::GpuStrips> strips_; // set if a pass pulls vertices
     const vk::VkSdkView* view_ = nullptr; // view in use
 };

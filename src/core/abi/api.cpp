@@ -114,16 +114,13 @@ AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config, AgaaA
     });
 }
 
-AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,
-                                           AgaaCapability* capabilities) {
-    return guarded(Log(), "agaaQueryCapabilities", [&] {
-        return writeStructs(listCapabilities(capsOrIdeal(caps)), count, capabilities);
-    });
+AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count, AgaaCapability* capabilities) {
+    return guarded(Log(), "agaaQueryCapabilities",
+                   [&] { return writeStructs(listCapabilities(capsOrIdeal(caps)), count, capabilities); });
 }
 
-AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
-                                     const AgaaLog* log, AgaaMemoryReport* outReport,
-                                     uint32_t* surfaceCount, AgaaSurface* surfaces) {
+AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                     AgaaMemoryReport* outReport, uint32_t* surfaceCount, AgaaSurface* surfaces) {
     return guarded(log, "agaaQueryMemory", [&]() -> AgaaResult {
         require(surfaceCount || !surfaces, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
         const Plan plan = makePlan(resolveView(view), capsOrIdeal(caps), 2);
@@ -188,8 +185,8 @@ AgaaResult AGAA_CALL agaaObserve(const AgaaViewDesc* view, const AgaaDeviceCaps*
 }
 
 AgaaResult AGAA_CALL agaaChooseSettings(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
-                                        const AgaaGoal* goal, const AgaaObservation* observation, const AgaaChoice* current,
-                                        AgaaChoice* outChoice) {
+                                        const AgaaGoal* goal, const AgaaObservation* observation,
+                                        const AgaaChoice* current, AgaaChoice* outChoice) {
     return guarded(log, "agaaChooseSettings", [&]() -> AgaaResult {
         const ViewSettings settings = resolveView(view);
         const AgaaDeviceCaps device = capsOrIdeal(caps);
@@ -215,8 +212,8 @@ AgaaResult AGAA_CALL agaaApplyChoice(const AgaaChoice* choice, AgaaConfig* confi
     });
 }
 
-AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
-                                    const AgaaLog* log, size_t* size, char* text) {
+AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                    size_t* size, char* text) {
     return guarded(log, "agaaPlanToJson", [&]() -> AgaaResult {
         return writeText(planToJson(makePlan(resolveView(view), capsOrIdeal(caps), 2)), size, text);
     });
@@ -230,9 +227,7 @@ AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDe
 }
 
 AgaaResult AGAA_CALL agaaGetCoverageGlsl(const AgaaLog* log, size_t* size, char* text) {
-    return guarded(log, "agaaGetCoverageGlsl", [&]() -> AgaaResult {
-        return writeText(coverageGlsl(), size, text);
-    });
+    return guarded(log, "agaaGetCoverageGlsl", [&]() -> AgaaResult { return writeText(coverageGlsl(), size, text); });
 }
 
 AgaaResult AGAA_CALL agaaGetDrawPasses(AgaaView view, uint32_t* count, AgaaDrawPass* passes) {
@@ -294,8 +289,7 @@ AgaaResult AGAA_CALL agaaGetFactReport(AgaaView view, uint64_t completedFrame, A
     });
 }
 
-AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
-                                       AgaaFrameValidation* outValidation) {
+AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame, AgaaFrameValidation* outValidation) {
     return guarded(logOf(view), "agaaValidateFrame", [&]() -> AgaaResult {
         require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
         AgaaFrameValidation validation = readStruct(outValidation);

@@ -9,8 +9,7 @@
 
 namespace agaa {
 
-template <typename Body>
-AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
+template <typename Body> AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
     const auto report = [&](AgaaResult code, const char* text) {
         try {
             log.write(AGAA_SEVERITY_ERROR, code, std::string(function) + ": " + text);
@@ -31,8 +30,7 @@ AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
 }
 
 // Like guarded() above, for functions that get the host's log. An invalid log is an error.
-template <typename Body>
-AgaaResult guarded(const AgaaLog* log, const char* function, Body&& body) noexcept {
+template <typename Body> AgaaResult guarded(const AgaaLog* log, const char* function, Body&& body) noexcept {
     return guarded(checkedLog(log), function, [&]() -> AgaaResult {
         if (log)
             readStruct(log);

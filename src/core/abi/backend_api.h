@@ -30,7 +30,8 @@ inline AgaaContextDesc readContextDesc(const AgaaContextDesc* pointer, const std
 template <class DeviceDesc> DeviceDesc readDeviceDesc(const AgaaContextDesc& desc) {
     const std::optional<DeviceDesc> device = readChained<DeviceDesc>(&desc);
     if (!device)
-        fail(AGAA_ERROR_INVALID_ARGUMENT, format("no %s is chained to AgaaContextDesc.", StructOf<DeviceDesc>::row.name));
+        fail(AGAA_ERROR_INVALID_ARGUMENT,
+             format("no %s is chained to AgaaContextDesc.", StructOf<DeviceDesc>::row.name));
     return *device;
 }
 

@@ -7,24 +7,20 @@
 
 namespace agaa {
 
-static const char* backendName(Backend backend) {
-    return backend == Backend::Vulkan ? "Vulkan" : "OpenGL";
-}
+static const char* backendName(Backend backend) { return backend == Backend::Vulkan ? "Vulkan" : "OpenGL"; }
 
 void requireBackend(AgaaContext context, Backend backend) {
     require(context, AGAA_ERROR_INVALID_ARGUMENT, "the context is null.");
     if (context->backend != backend)
         fail(AGAA_ERROR_INVALID_ARGUMENT,
-             format("the context is of %s, not of %s.", backendName(context->backend),
-                    backendName(backend)));
+             format("the context is of %s, not of %s.", backendName(context->backend), backendName(backend)));
 }
 
 void requireBackend(AgaaView view, Backend backend) {
     require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
     if (view->owner.backend != backend)
         fail(AGAA_ERROR_INVALID_ARGUMENT,
-             format("the view is of %s, not of %s.", backendName(view->owner.backend),
-                    backendName(backend)));
+             format("the view is of %s, not of %s.", backendName(view->owner.backend), backendName(backend)));
 }
 
 AgaaResult reportFacts(AgaaView_T& view, uint64_t completedFrame, AgaaFactReport& out) {

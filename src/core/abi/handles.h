@@ -9,9 +9,9 @@ struct AgaaView_T {
         : owner(context), settings(std::move(viewSettings)), current(view) {}
 
     AgaaContext_T& owner;
-    agaa::ViewSettings settings; // as the host described them
-    agaa::ViewState* current;    // never null
-    bool factWarningLogged = false;  // a contradiction was logged
+    agaa::ViewSettings settings;    // as the host described them
+    agaa::ViewState* current;       // never null
+    bool factWarningLogged = false; // a contradiction was logged
 };
 
 namespace agaa {

@@ -11,7 +11,7 @@ struct Text {
 // The switch covers the enumeration, so that compilers warn about an enumerator without a text.
 Text textOf(AgaaResultCode code) {
     switch (code) {
-#define AGAA_ROW(name, description)                                                                                     \
+#define AGAA_ROW(name, description)                                                                                    \
     case name:                                                                                                         \
         return {#name, description};
         AGAA_ROW(AGAA_OK, "success")

@@ -35,9 +35,8 @@ void checkSampleCount(uint32_t samples, const char* name) {
 
 void checkHeaderVersion(uint32_t version) {
     if ((version >> 12) != (AGAA_HEADER_VERSION >> 12))
-        fail(AGAA_ERROR_VERSION,
-             format("the host was built for version %u.%u, this library is %u.%u.", version >> 22,
-                    version >> 12 & 0x3FF, AGAA_VERSION_MAJOR, AGAA_VERSION_MINOR));
+        fail(AGAA_ERROR_VERSION, format("the host was built for version %u.%u, this library is %u.%u.", version >> 22,
+                                        version >> 12 & 0x3FF, AGAA_VERSION_MAJOR, AGAA_VERSION_MINOR));
 }
 
 } // namespace agaa

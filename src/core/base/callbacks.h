@@ -7,8 +7,7 @@ namespace agaa {
 
 // Calls a host function. Callbacks must not throw; one that does counts as failed, so that the SDK can finish what it
 // began.
-template <typename Call>
-AgaaResult contained(Call&& call) noexcept {
+template <typename Call> AgaaResult contained(Call&& call) noexcept {
     try {
         return call();
     } catch (...) {

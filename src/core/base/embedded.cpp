@@ -62,9 +62,9 @@ bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId) {
     });
     // Debug instructions and constants contain words that may equal the id without using it.
     return id != 0 && any([&](uint32_t op, std::span<const uint32_t> operands) {
-        return !(op >= Source && op <= Line) && op != Constant && op != SpecConstant && op != Decorate &&
-               std::ranges::find(operands, id) != operands.end();
-    });
+               return !(op >= Source && op <= Line) && op != Constant && op != SpecConstant && op != Decorate &&
+                      std::ranges::find(operands, id) != operands.end();
+           });
 }
 
 } // namespace agaa

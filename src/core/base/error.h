@@ -26,9 +26,7 @@ struct Error {
     return text;
 }
 
-[[noreturn]] inline void fail(AgaaResult code, std::string message) {
-    throw Error{code, std::move(message)};
-}
+[[noreturn]] inline void fail(AgaaResult code, std::string message) { throw Error{code, std::move(message)}; }
 
 // The code reaches the host even if there is no memory for the sentence.
 [[noreturn]] inline void failPartial(const char* message) {

@@ -33,12 +33,10 @@ const char* formatName(Format format);
 constexpr bool isDepth(Format format) {
     return format == Format::D24S8 || format == Format::D32S8 || format == Format::D32;
 }
-constexpr bool hasStencil(Format format) {
-    return format == Format::D24S8 || format == Format::D32S8;
-}
+constexpr bool hasStencil(Format format) { return format == Format::D24S8 || format == Format::D32S8; }
 constexpr bool isInteger(Format format) {
-    return format == Format::R8U || format == Format::R16U || format == Format::R32U ||
-           format == Format::RG32U || format == Format::RGBA32U;
+    return format == Format::R8U || format == Format::R16U || format == Format::R32U || format == Format::RG32U ||
+           format == Format::RGBA32U;
 }
 
 } // namespace agaa

@@ -30,7 +30,8 @@ private:
 // Returns the host's log, or a log that writes nothing if the struct is not valid.
 inline Log checkedLog(const AgaaLog* log) {
     constexpr uint32_t firstSize = 32; // in version 0.2, as in structs.inc
-    const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize >= firstSize && log->structSize % 8 == 0;
+    const bool valid =
+        log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize >= firstSize && log->structSize % 8 == 0;
     return valid ? Log(log) : Log();
 }
 

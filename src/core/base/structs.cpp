@@ -11,9 +11,8 @@ void checkTail(const void* structure, size_t from, size_t to, const char* name) 
     const auto* bytes = static_cast<const unsigned char*>(structure);
     for (size_t i = from; i < to; ++i)
         if (bytes[i] != 0)
-            fail(AGAA_ERROR_VERSION,
-                 format("%s has data at offset %zu, which this library (%u.%u.%u) does not know.", name, i,
-                        AGAA_VERSION_MAJOR, AGAA_VERSION_MINOR, AGAA_VERSION_PATCH));
+            fail(AGAA_ERROR_VERSION, format("%s has data at offset %zu, which this library (%u.%u.%u) does not know.",
+                                            name, i, AGAA_VERSION_MAJOR, AGAA_VERSION_MINOR, AGAA_VERSION_PATCH));
 }
 
 // The sizes of the structs in arrays depend on the host's version, so that only the host can set them.
@@ -31,17 +30,16 @@ void checkStruct(const void* structure, const StructRow& row) {
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is null.", row.name));
     const auto* header = static_cast<const AgaaStructHeader*>(structure);
     if (header->sType != row.sType)
-        fail(AGAA_ERROR_STRUCT, format("%s has sType %u where %u is expected; start from its _INIT.", row.name,
-                                       header->sType, row.sType));
+        fail(AGAA_ERROR_STRUCT,
+             format("%s has sType %u where %u is expected; start from its _INIT.", row.name, header->sType, row.sType));
     checkStructSize(structure, row);
 }
 
 void checkStructSize(const void* structure, const StructRow& row) {
     const uint32_t size = static_cast<const AgaaStructHeader*>(structure)->structSize;
     if (size < row.firstSize || size > largest)
-        fail(AGAA_ERROR_STRUCT,
-             format("%s has structSize %u; this library's is %zu, that of version 0.2 %zu.", row.name, size, row.size,
-                    row.firstSize));
+        fail(AGAA_ERROR_STRUCT, format("%s has structSize %u; this library's is %zu, that of version 0.2 %zu.",
+                                       row.name, size, row.size, row.firstSize));
     if (size % alignof(AgaaStructHeader) != 0)
         fail(AGAA_ERROR_STRUCT, format("%s has structSize %u, which is not a multiple of 8.", row.name, size));
     checkTail(structure, row.size, size, row.name);
@@ -100,8 +98,8 @@ void checkElements(const void* first, uint32_t bytes, uint32_t count, size_t siz
     if (count == 0)
         return;
     if (bytes < firstSize || bytes > largest || bytes % 4 != 0)
-        fail(AGAA_ERROR_OUT_OF_RANGE,
-             format("%s is %u; this library's struct has %zu bytes, that of version 0.2 %zu.", name, bytes, size, firstSize));
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is %u; this library's struct has %zu bytes, that of version 0.2 %zu.",
+                                             name, bytes, size, firstSize));
     for (uint32_t i = 0; i < count; ++i)
         checkTail(static_cast<const char*>(first) + size_t(i) * bytes, size, bytes, name);
 }
@@ -119,12 +117,12 @@ using namespace agaa;
 
 extern "C" {
 
-#define AGAA_STRUCT(Name, TYPE, bytes)                                             \
-    void AGAA_CALL agaaInit##Name(Agaa##Name* structure, size_t structSize) {      \
-        Agaa##Name initial = StructOf<Agaa##Name>::initial();                      \
-        initial.structSize = uint32_t(structSize);                                 \
-        leaveToHost(initial);                                                      \
-        initialise(structure, structSize, &initial, sizeof initial);               \
+#define AGAA_STRUCT(Name, TYPE, bytes)                                                                                 \
+    void AGAA_CALL agaaInit##Name(Agaa##Name* structure, size_t structSize) {                                          \
+        Agaa##Name initial = StructOf<Agaa##Name>::initial();                                                          \
+        initial.structSize = uint32_t(structSize);                                                                     \
+        leaveToHost(initial);                                                                                          \
+        initialise(structure, structSize, &initial, sizeof initial);                                                   \
     }
 #include "core/base/structs.inc"
 

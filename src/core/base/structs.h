@@ -21,14 +21,14 @@ struct StructRow {
 };
 
 template <class T> struct StructOf; // the row, and the value of AGAA_…_INIT
-#define AGAA_STRUCT(Name, TYPE, bytes)                                                                          \
-    template <> struct StructOf<Agaa##Name> {                                                                   \
-        static constexpr StructRow row = {AGAA_STRUCTURE_TYPE_##TYPE, "Agaa" #Name, sizeof(Agaa##Name), bytes}; \
-        static Agaa##Name initial() {                                                                           \
-            const Agaa##Name value = AGAA_##TYPE##_INIT;                                                        \
-            return value;                                                                                       \
-        }                                                                                                       \
-        static_assert(sizeof(Agaa##Name) >= bytes, "structs grow at their end");                                \
+#define AGAA_STRUCT(Name, TYPE, bytes)                                                                                 \
+    template <> struct StructOf<Agaa##Name> {                                                                          \
+        static constexpr StructRow row = {AGAA_STRUCTURE_TYPE_##TYPE, "Agaa" #Name, sizeof(Agaa##Name), bytes};        \
+        static Agaa##Name initial() {                                                                                  \
+            const Agaa##Name value = AGAA_##TYPE##_INIT;                                                               \
+            return value;                                                                                              \
+        }                                                                                                              \
+        static_assert(sizeof(Agaa##Name) >= bytes, "structs grow at their end");                                       \
     };
 #include "core/base/structs.inc"
 
@@ -74,9 +74,7 @@ template <class T> void checkOutput(const T* structure, const std::vector<uint32
     checkChain(structure, StructOf<T>::row.name, known);
 }
 // Writes all members after the header that the host's struct has room for.
-template <class T> void writeStruct(T* structure, const T& value) {
-    writeKnown(structure, &value, sizeof value);
-}
+template <class T> void writeStruct(T* structure, const T& value) { writeKnown(structure, &value, sizeof value); }
 
 // Returns element i of a host's array. All elements have the size of the first.
 template <class T> T* elementOf(T* first, uint32_t i) {
@@ -85,7 +83,8 @@ template <class T> T* elementOf(T* first, uint32_t i) {
 }
 template <class T> void requireEqualSizes(const T* element, const T* first) {
     if (element->structSize != first->structSize)
-        fail(AGAA_ERROR_STRUCT, format("elements of an array of %s have different structSizes.", StructOf<T>::row.name));
+        fail(AGAA_ERROR_STRUCT,
+             format("elements of an array of %s have different structSizes.", StructOf<T>::row.name));
 }
 // Checks an array of `count` elements for output.
 template <class T> void checkOutputs(T* first, uint32_t count, const std::vector<uint32_t>& known = {}) {

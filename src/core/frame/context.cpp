@@ -8,8 +8,7 @@ namespace agaa {
 
 void* HostAllocator::allocate(size_t size, size_t alignment) const {
     void* memory = allocateCallback ? allocateCallback(user, size, alignment)
-                                    : std::aligned_alloc(alignment, (size + alignment - 1) /
-                                                                        alignment * alignment);
+                                    : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
     require(memory, AGAA_ERROR_OUT_OF_MEMORY, "host memory could not be allocated.");
     return memory;
 }

@@ -44,8 +44,7 @@ struct AgaaContext_T {
 namespace agaa {
 
 // Create and destroy the objects behind handles, in the host's memory.
-template <typename T, typename... Arguments>
-T* construct(const HostAllocator& allocator, Arguments&&... arguments) {
+template <typename T, typename... Arguments> T* construct(const HostAllocator& allocator, Arguments&&... arguments) {
     void* memory = allocator.allocate(sizeof(T), alignof(T));
     try {
         return new (memory) T(std::forward<Arguments>(arguments)...);
@@ -55,8 +54,7 @@ T* construct(const HostAllocator& allocator, Arguments&&... arguments) {
     }
 }
 
-template <typename T>
-void destroy(const HostAllocator& allocator, T* object) {
+template <typename T> void destroy(const HostAllocator& allocator, T* object) {
     void* memory = object;
     if constexpr (std::is_polymorphic_v<T>)
         memory = dynamic_cast<void*>(object);

@@ -18,20 +18,18 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
     const float* v = frame.view;
     for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j) {
-            const float dot =
-                v[4 * i] * v[4 * j] + v[4 * i + 1] * v[4 * j + 1] + v[4 * i + 2] * v[4 * j + 2];
+            const float dot = v[4 * i] * v[4 * j] + v[4 * i + 1] * v[4 * j + 1] + v[4 * i + 2] * v[4 * j + 2];
             if (std::fabs(dot - (i == j ? 1.0f : 0.0f)) > 1e-3f)
                 fail(AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::view is not a rotation.");
         }
-    const float determinant = v[0] * (v[5] * v[10] - v[6] * v[9]) - v[4] * (v[1] * v[10] - v[2] * v[9]) +
-                              v[8] * (v[1] * v[6] - v[2] * v[5]);
+    const float determinant =
+        v[0] * (v[5] * v[10] - v[6] * v[9]) - v[4] * (v[1] * v[10] - v[2] * v[9]) + v[8] * (v[1] * v[6] - v[2] * v[5]);
     require(determinant > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::view has a reflection; hosts with left-handed axes negate z (AgaaFrame::view).");
     require(v[3] == 0 && v[7] == 0 && v[11] == 0 && v[15] == 1, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::view has a last row other than 0, 0, 0, 1; matrices are column-major.");
     if (v[12] != 0 || v[13] != 0 || v[14] != 0)
-        fail(AGAA_ERROR_OUT_OF_RANGE,
-             "AgaaFrame::view has a translation; shading space has its origin at the eye.");
+        fail(AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::view has a translation; shading space has its origin at the eye.");
     const float* p = frame.projection;
     const bool perspective = p[11] == -1.0f && p[15] == 0.0f;
     const bool orthographic = p[11] == 0.0f && p[15] == 1.0f;
@@ -40,8 +38,7 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
     // These elements are zero in every projection without shear, roll and oblique near plane.
     bool plain = p[1] == 0 && p[2] == 0 && p[3] == 0 && p[4] == 0 && p[6] == 0 && p[7] == 0;
     plain = plain && (perspective ? p[12] == 0 && p[13] == 0 : p[8] == 0 && p[9] == 0);
-    require(plain, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaFrame::projection has shear, roll or an oblique near plane.");
+    require(plain, AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::projection has shear, roll or an oblique near plane.");
     // A reversed depth falls with the distance from the eye.
     const bool reversed = (perspective ? p[14] : p[10]) > 0;
     require(reversed == reversedZ, AGAA_ERROR_OUT_OF_RANGE,
@@ -51,9 +48,7 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
 }
 
 static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCount, bool isLocalAllowed) {
-    const auto bad = [&](const char* what) {
-        fail(AGAA_ERROR_OUT_OF_RANGE, format("light %u: %s.", index, what));
-    };
+    const auto bad = [&](const char* what) { fail(AGAA_ERROR_OUT_OF_RANGE, format("light %u: %s.", index, what)); };
     if (light.type > AGAA_LIGHT_SPOT)
         bad(format("its type %u is not known", light.type).c_str());
     if (light.type != AGAA_LIGHT_DIRECTIONAL && !isLocalAllowed)
@@ -126,10 +121,8 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
                "AgaaFrame::lightCount (against AgaaSceneFacts::maxLights)");
     checkRange(uint64_t(frame.shadowCount), 0, facts.shadowMapCount,
                "AgaaFrame::shadowCount (against AgaaSceneFacts::shadowMapCount)");
-    require(!frame.lightCount || frame.lights, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaFrame::lights is null.");
-    require(!frame.shadowCount || frame.shadows, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaFrame::shadows is null.");
+    require(!frame.lightCount || frame.lights, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::lights is null.");
+    require(!frame.shadowCount || frame.shadows, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::shadows is null.");
     checkElements(frame.lights, frame.lightSize, frame.lightCount, sizeof(AgaaLight), 64, "AgaaFrame::lightSize");
     checkElements(frame.shadows, frame.shadowSize, frame.shadowCount, sizeof(AgaaShadow), 392, "AgaaFrame::shadowSize");
     for (uint32_t i = 0; i < frame.lightCount; ++i)

@@ -14,8 +14,8 @@ namespace agaa {
 
 constexpr uint32_t firstLocation = offsetof(FrameConstants, sampleLocations) / 16; // vector
 
-FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
-                              const SamplePositions& positions, const CounterBuffer* newest) {
+FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame, const SamplePositions& positions,
+                              const CounterBuffer* newest) {
     FrameConstants out{};
     std::memcpy(out.view, frame.view, sizeof out.view);
     const float* p = frame.projection;
@@ -48,8 +48,8 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     out.surfaceMaterial = plan.view.config.surfaceMaterial;
     out.sampleCount = plan.view.samples;
     out.ditherFrame = frame.ditherFrame;
-    constexpr uint32_t FrameConstants::* feedback[] = {&FrameConstants::feedback0, &FrameConstants::feedback1,
-                                                       &FrameConstants::feedback2};
+    constexpr uint32_t FrameConstants::*feedback[] = {&FrameConstants::feedback0, &FrameConstants::feedback1,
+                                                      &FrameConstants::feedback2};
     static_assert(std::size(feedback) == std::tuple_size_v<decltype(plan.feedback)>);
     for (size_t i = 0; newest && i < plan.feedback.size(); ++i)
         if (plan.feedback[i] != noCounter)
@@ -116,8 +116,8 @@ static uint64_t writeLights(const AgaaFrame& frame, void* destination) {
     return AGAA_MAX_SHADOW_MAPS * sizeof(GpuShadow) + frame.lightCount * sizeof(GpuLight);
 }
 
-uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
-                     const SamplePositions& positions, const CounterBuffer* newest, void* destination) {
+uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame, const SamplePositions& positions,
+                     const CounterBuffer* newest, void* destination) {
     switch (content) {
     case UploadContent::None:
         break;

@@ -11,14 +11,15 @@ namespace agaa {
 
 // positions   The plan's samples, as samplePositions() returns them.
 // newest      Counters of the newest finished frame; null if there is none or the plan does not ask for them.
-FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
-                              const SamplePositions& positions, const CounterBuffer* newest = nullptr);
-// Returns the values of `uniform vec4 agaa_constants[constantVectors]` (common/frame.glsl). Integers are floats. The dither
-// frame and the capacity of fragment lists are two halves of 16 bits each.
+FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame, const SamplePositions& positions,
+                              const CounterBuffer* newest = nullptr);
+// Returns the values of `uniform vec4 agaa_constants[constantVectors]` (common/frame.glsl). Integers are floats. The
+// dither frame and the capacity of fragment lists are two halves of 16 bits each.
 uint32_t constantVectors(const Plan& plan);
 std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants);
-// Writes the contents of an upload buffer and returns their size in bytes. destination must be as large as the resource.
-uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
-                     const SamplePositions& positions, const CounterBuffer* newest, void* destination);
+// Writes the contents of an upload buffer and returns their size in bytes. destination must be as large as the
+// resource.
+uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame, const SamplePositions& positions,
+                     const CounterBuffer* newest, void* destination);
 
 } // namespace agaa

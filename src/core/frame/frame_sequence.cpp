@@ -26,8 +26,7 @@ void FrameSequence::check(const AgaaFrame& frame) const {
     const uint64_t lowest = frame.segments & (~frame.segments + 1);
     // Segments must be contiguous: 101 would shade aggregates that were not generated.
     const uint64_t run = frame.segments / lowest;
-    require((run & (run + 1)) == 0, AGAA_ERROR_WRONG_ORDER,
-            "AgaaFrame::segments leaves one out between others.");
+    require((run & (run + 1)) == 0, AGAA_ERROR_WRONG_ORDER, "AgaaFrame::segments leaves one out between others.");
     if (frame.frameIndex == frame_) {
         require((frame.segments & segments_) == 0, AGAA_ERROR_WRONG_ORDER,
                 "a segment of this frame was recorded before.");
@@ -42,8 +41,7 @@ void FrameSequence::check(const AgaaFrame& frame) const {
                 "AgaaFrame::facts are not those of the frame's earlier segments.");
         return;
     }
-    require(frame.frameIndex > frame_, AGAA_ERROR_WRONG_ORDER,
-            "AgaaFrame::frameIndex does not increase.");
+    require(frame.frameIndex > frame_, AGAA_ERROR_WRONG_ORDER, "AgaaFrame::frameIndex does not increase.");
     require((frame.segments & AGAA_SEGMENT_PREPASS) != 0, AGAA_ERROR_WRONG_ORDER,
             "a frame begins with AGAA_SEGMENT_PREPASS.");
     const Slot& slot = slots_[slotOf(frame)];
@@ -51,8 +49,7 @@ void FrameSequence::check(const AgaaFrame& frame) const {
         fail(AGAA_ERROR_WRONG_ORDER,
              format("frame %llu uses what frame %llu has not finished with; wait for it or create "
                     "the context with more framesInFlight.",
-                    static_cast<unsigned long long>(frame.frameIndex),
-                    static_cast<unsigned long long>(slot.frame)));
+                    static_cast<unsigned long long>(frame.frameIndex), static_cast<unsigned long long>(slot.frame)));
 }
 
 uint32_t FrameSequence::slotOf(const AgaaFrame& frame) const {

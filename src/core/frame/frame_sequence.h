@@ -46,10 +46,10 @@ private:
     std::vector<Slot> slots_;
     uint64_t frame_ = 0;
     uint32_t slot_ = 0;
-    uint64_t segments_ = 0;           // of the frame that were recorded
-    std::array<float, 32> camera_{};  // view and projection of the frame
-    uint32_t ditherFrame_ = 0;        // of the frame
-    AgaaSceneFacts facts_{};          // of the frame
+    uint64_t segments_ = 0;          // of the frame that were recorded
+    std::array<float, 32> camera_{}; // view and projection of the frame
+    uint32_t ditherFrame_ = 0;       // of the frame
+    AgaaSceneFacts facts_{};         // of the frame
 };
 
 } // namespace agaa

@@ -46,7 +46,8 @@ AgaaResult callDraw(const AgaaFrame& frame, const AgaaDrawTarget& target) {
 }
 
 void failDraw(AgaaResult code, AgaaResult returned, const Pass& pass, const char* consequence) {
-    fail(code, format("the draw callback returned %d in pass \"%s\"; %s.", int(returned), pass.name.c_str(), consequence));
+    fail(code,
+         format("the draw callback returned %d in pass \"%s\"; %s.", int(returned), pass.name.c_str(), consequence));
 }
 
 } // namespace agaa

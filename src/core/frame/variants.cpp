@@ -9,15 +9,17 @@
 namespace agaa {
 
 static bool haveEqualPrograms(const Pass& a, const Pass& b) {
-    return a.constants == b.constants && a.compute.shader == b.compute.shader && a.compute.defines == b.compute.defines &&
-           a.compute.text == b.compute.text && a.compute.hostCode == b.compute.hostCode &&
-           a.compute.hostCodeExtensions == b.compute.hostCodeExtensions;
+    return a.constants == b.constants && a.compute.shader == b.compute.shader &&
+           a.compute.defines == b.compute.defines && a.compute.text == b.compute.text &&
+           a.compute.hostCode == b.compute.hostCode && a.compute.hostCodeExtensions == b.compute.hostCodeExtensions;
 }
 
 bool isVariantOf(const Plan& plan, const Plan& base) {
-    return plan.resources == base.resources && std::ranges::equal(plan.passes, base.passes, [](const Pass& a, const Pass& b) {
-        return a.name == b.name && a.kind == b.kind && a.bindings == b.bindings && a.compute.dispatch == b.compute.dispatch;
-    });
+    return plan.resources == base.resources &&
+           std::ranges::equal(plan.passes, base.passes, [](const Pass& a, const Pass& b) {
+               return a.name == b.name && a.kind == b.kind && a.bindings == b.bindings &&
+                      a.compute.dispatch == b.compute.dispatch;
+           });
 }
 
 uint64_t Variants::find(const Pass& pass, size_t index) const {

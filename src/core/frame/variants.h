@@ -55,8 +55,8 @@ private:
     Compiled compileTimed(const Compile& compile, const Pass& pass, size_t index);
 
     const Plan& base_;
-    std::mutex adding_;         // locked during an addition
-    mutable std::mutex mutex_;  // guards the members below
+    std::mutex adding_;        // locked during an addition
+    mutable std::mutex mutex_; // guards the members below
     std::vector<std::unique_ptr<const Variant>> variants_;
     std::vector<uint64_t> programs_;
     CompileFigures figures_;

@@ -13,8 +13,7 @@ namespace agaa {
 ViewState::ViewState(AgaaContext_T& context, Plan framePlan)
     : owner(context), plan(std::move(framePlan)), steps(plan.steps()), sequence(context.framesInFlight),
       ran_(context.framesInFlight) {
-    require(plan.runnable, AGAA_ERROR_UNSUPPORTED,
-            "this plan is a model that can be priced but not run.");
+    require(plan.runnable, AGAA_ERROR_UNSUPPORTED, "this plan is a model that can be priced but not run.");
     uint64_t largest = 0;
     for (const Resource& resource : plan.resources)
         if (resource.content != UploadContent::None)
@@ -74,8 +73,8 @@ void ViewState::uploadFrame(const AgaaFrame& frame, uint32_t slot) {
 }
 
 std::optional<CounterBuffer> ViewState::feedback(const AgaaFrame& frame) const {
-    const bool isAsked = std::any_of(plan.feedback.begin(), plan.feedback.end(),
-                                     [](uint32_t counter) { return counter != noCounter; });
+    const bool isAsked =
+        std::any_of(plan.feedback.begin(), plan.feedback.end(), [](uint32_t counter) { return counter != noCounter; });
     const FrameSequence::Slot* newest = isAsked ? sequence.newest(frame.completedFrame) : nullptr;
     if (!newest)
         return std::nullopt;

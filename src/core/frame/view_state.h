@@ -87,10 +87,10 @@ protected:
     void recorded(const AgaaFrame& frame); // remembers its variant
 
 private:
-    std::vector<std::byte> upload_;      // as large as the largest upload buffer
-    const Variant* chosen_ = nullptr;    // of the frame that is being recorded
-    const Variant* running_ = nullptr;   // of the frame that was recorded last
-    std::vector<const Variant*> ran_;    // by slot
+    std::vector<std::byte> upload_;    // as large as the largest upload buffer
+    const Variant* chosen_ = nullptr;  // of the frame that is being recorded
+    const Variant* running_ = nullptr; // of the frame that was recorded last
+    std::vector<const Variant*> ran_;  // by slot
 };
 
 } // namespace agaa

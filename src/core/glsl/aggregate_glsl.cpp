@@ -19,7 +19,8 @@ std::string aggregateGlsl(const Plan& plan) {
             "the view leaves no aggregates in memory: it is not of \"agaa\" by two passes, and not of the tiers ids "
             "or gbuffer with AGAA_CONFIG_BUFFERED.");
     require(!shade->constants[AGAA_PREPASS_NORMALS], AGAA_ERROR_UNSUPPORTED,
-            "the aggregates keep no normals, because the view has AGAA_FACT_PLANE_NORMALS and AGAA_FACT_NO_LOCAL_LIGHTS, and no "
+            "the aggregates keep no normals, because the view has AGAA_FACT_PLANE_NORMALS and "
+            "AGAA_FACT_NO_LOCAL_LIGHTS, and no "
             "AGAA_FACT_SPECULAR.");
     std::string out;
 #define AGAA_CONSTANT(id, name, value) out += format("#define %s %uu\n", #name, shade->constants[name]);

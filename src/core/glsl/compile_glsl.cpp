@@ -31,8 +31,7 @@ std::vector<uint32_t> compileCompute(const std::string& text, const char* what) 
     const Glslang library;
     constexpr auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
     const auto refuse = [&](const char* log) {
-        fail(AGAA_ERROR_INVALID_ARGUMENT,
-             format("%s does not compile: %s.", what, firstLine(log).c_str()));
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s does not compile: %s.", what, firstLine(log).c_str()));
     };
     glslang::TShader shader(EShLangCompute);
     const char* source = text.c_str();

@@ -22,8 +22,7 @@ static void appendLines(std::string& out, std::string_view text, const std::stri
             out += hostCode + "#line 100000\n";
         } else if (line.starts_with("#include \"")) {
             std::string name(line.substr(10, line.find('"', 10) - 10));
-            appendGlsl(out, name.find('/') == std::string::npos ? folder + name : name, seen,
-                       hostCode);
+            appendGlsl(out, name.find('/') == std::string::npos ? folder + name : name, seen, hostCode);
         } else {
             out += line;
             out += '\n';
@@ -32,8 +31,7 @@ static void appendLines(std::string& out, std::string_view text, const std::stri
     }
 }
 
-void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
-                const std::string& hostCode) {
+void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen, const std::string& hostCode) {
     const bool isTable = path.ends_with(".inc"); // a table is included for each macro that its rows use
     if (!seen.insert(path).second && !isTable)
         return;
@@ -80,9 +78,7 @@ static std::string assemble(const Pass& pass, std::set<std::string> seen, const 
     return text.replace(at, line.size(), version + pass.compute.hostCodeExtensions + head);
 }
 
-std::string passGlsl(const Pass& pass) {
-    return assemble(pass, {}, "#version 450\n", pass.compute.defines);
-}
+std::string passGlsl(const Pass& pass) { return assemble(pass, {}, "#version 450\n", pass.compute.defines); }
 
 std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion) {
     std::string head = "#define AGAA_GL 1\n" + pass.compute.defines;

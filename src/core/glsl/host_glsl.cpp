@@ -16,14 +16,10 @@ namespace agaa {
 
 namespace {
 
-void define(std::string& out, const char* name, uint32_t value) {
-    out += format("#define %s %uu\n", name, value);
-}
+void define(std::string& out, const char* name, uint32_t value) { out += format("#define %s %uu\n", name, value); }
 
 // Some compilers reject the suffix `u` in preprocessor conditions. Switches have none.
-void defineSwitch(std::string& out, const char* name, uint32_t value) {
-    out += format("#define %s %u\n", name, value);
-}
+void defineSwitch(std::string& out, const char* name, uint32_t value) { out += format("#define %s %u\n", name, value); }
 
 // Returns the macros with the position of each channel in an aggregate.
 std::string fields(const Constants& constants) {
@@ -42,16 +38,19 @@ std::string fetchedTargets(const Pass& pass, const HostDialect& dialect) {
     const uint32_t attachments = pass.draw.state.colorAttachmentCount;
     std::string out, fetch = "    uvec4 held;\n", store;
     if (!dialect.openGl)
-        out += format("layout(input_attachment_index = 0, set = %u, binding = %u) uniform usubpassInput agaa_held[%u];\n",
-                      dialect.descriptorSet, fetchedTargetsSlot, attachments);
+        out +=
+            format("layout(input_attachment_index = 0, set = %u, binding = %u) uniform usubpassInput agaa_held[%u];\n",
+                   dialect.descriptorSet, fetchedTargetsSlot, attachments);
     for (uint32_t i = 0; i < attachments; ++i) {
         out += format("layout(location = %u) %s uvec4 agaa_target%u;\n", i, dialect.openGl ? "inout" : "out", i);
-        fetch += dialect.openGl ? format("    held = agaa_target%u;\n", i) : format("    held = subpassLoad(agaa_held[%u]);\n", i);
+        fetch += dialect.openGl ? format("    held = agaa_target%u;\n", i)
+                                : format("    held = subpassLoad(agaa_held[%u]);\n", i);
         const uint32_t w = 4 * i;
         for (uint32_t c = 0; c < 4; ++c)
             fetch += format("    agaa_targetWords[%u] = held.%c;\n", w + c, "xyzw"[c]);
         store += format("    agaa_target%u = uvec4(agaa_targetWords[%u], agaa_targetWords[%u], agaa_targetWords[%u], "
-                        "agaa_targetWords[%u]);\n", i, w, w + 1, w + 2, w + 3);
+                        "agaa_targetWords[%u]);\n",
+                        i, w, w + 1, w + 2, w + 3);
     }
     return out + format("uint agaa_targetWords[%u];\n", 4 * attachments) + "void agaa_fetchTargets() {\n" + fetch +
            "}\nvoid agaa_storeTargets() {\n" + store + "}\n";
@@ -91,16 +90,17 @@ std::string storeAttachments(const Pass& pass) {
             if (source >> 16 && (source & 0xFF) == i)
                 components[source >> 8 & 0xFF] = format("agaa_sourceOf(v.%s, %uu)", members[channel], source);
         }
-        out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[0].c_str(),
-                      components[1].c_str(), components[2].c_str(), components[3].c_str());
+        out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[0].c_str(), components[1].c_str(),
+                      components[2].c_str(), components[3].c_str());
     }
     return out + "}\n";
 }
 
 std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     if (dialect.constants != AGAA_GL_CONSTANTS_BLOCK)
-        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\", which shades in the host's shaders, needs AGAA_GL_CONSTANTS_BLOCK.",
-                                            plan.view.config.technique));
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("\"%s\", which shades in the host's shaders, needs AGAA_GL_CONSTANTS_BLOCK.",
+                    plan.view.config.technique));
     std::string out;
     const Constants& c = pass.constants;
     define(out, "AGAA_BRDF", c[AGAA_BRDF]);
@@ -148,7 +148,7 @@ std::string facts(const Pass& pass) {
     const uint64_t ofLights = AGAA_FACT_NO_LOCAL_LIGHTS;
     const uint64_t read = c[AGAA_CHECK_FACTS]                      ? ~UINT64_C(0)
                           : pass.draw.id == AGAA_DRAW_PASS_FORWARD ? commonValues
-                                                                     : commonValues & ~ofLights;
+                                                                   : commonValues & ~ofLights;
     const auto valueIf = [&](uint64_t fact, Constant value) {
         return c[AGAA_CHECK_FACTS] || c[AGAA_FACTS] & fact ? c[value] : 0u;
     };
@@ -168,8 +168,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     if (dialect.constants == AGAA_GL_CONSTANTS_UNIFORMS)
         defineSwitch(out, "AGAA_CONSTANT_VECTORS", constantVectors(plan));
     // Helper invocations never store anything. The macro only saves work.
-    out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
-                                      : "#define AGAA_HELPER false\n";
+    out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n" : "#define AGAA_HELPER false\n";
     defineSwitch(out, "AGAA_PASS", pass.draw.id);
     defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(pass));
     defineSwitch(out, "AGAA_SAMPLES", plan.view.samples);
@@ -193,8 +192,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         defineSwitch(out, "AGAA_REPRESENTED", c[AGAA_STRIDE] != c[AGAA_WORDS]);
         const auto isNormals = [](const Binding& binding) { return binding.slot == host_slot::Normals; };
-        defineSwitch(out, "AGAA_CHECKS_FAR_PLANE",
-                     std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
+        defineSwitch(out, "AGAA_CHECKS_FAR_PLANE", std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
         out += packing(c);
     }
@@ -267,11 +265,10 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     std::set<std::string> seen;
     std::string out = "#ifndef AGAA_ALPHA_MASKED\n#define AGAA_ALPHA_MASKED 0\n#endif\n";
     out += defines(plan, pass, dialect) + bindingDefines(dialect) + outputs(pass, dialect);
-    for (const char* path : {"common/frame.glsl", "math/sanitise.glsl", "math/coverage.glsl",
-                             "math/encoding.glsl",
-                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "common/stored.glsl",
-                             "common/scene_facts.glsl", "host/surface.glsl",
-                             "host/counters.glsl", "host/placement.glsl"})
+    for (const char* path :
+         {"common/frame.glsl", "math/sanitise.glsl", "math/coverage.glsl", "math/encoding.glsl", "math/ndf.glsl",
+          "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "common/stored.glsl", "common/scene_facts.glsl",
+          "host/surface.glsl", "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
     if (!pass.draw.text.empty())
         return out + pass.draw.text;

@@ -18,7 +18,7 @@ struct HostDialect {
     bool storageImages = false; // buffers are accessed as images
     bool hostOutputs = false;   // the host declares the outputs
     AgaaGlConstants constants = AGAA_GL_CONSTANTS_BLOCK;
-    uint32_t descriptorSet = 0; // Vulkan: index of the SDK's set
+    uint32_t descriptorSet = 0;                        // Vulkan: index of the SDK's set
     std::array<uint32_t, hostBindingCount> bindings{}; // OpenGL: by host_slot
 };
 

@@ -9,18 +9,18 @@
 namespace agaa {
 
 enum class Use {
-    Uniform,     // block
-    StorageRead, // block
+    Uniform,      // block
+    StorageRead,  // block
     StorageWrite, // block, read and written
-    Fetch,       // texture
-    ImageWrite,  // image stores
-    Color,       // target
+    Fetch,        // texture
+    ImageWrite,   // image stores
+    Color,        // target
     FetchedColor, // target that the shader also reads
-    Depth,       // target; a pass that only compares depth may write the stencil
+    Depth,        // target; a pass that only compares depth may write the stencil
     CopyFrom,
-    CopyTo,      // copied to or filled
-    Indirect,    // arguments of a dispatch
-    Condition,   // predicate of a step (Step::predicateBuffer)
+    CopyTo,    // copied to or filled
+    Indirect,  // arguments of a dispatch
+    Condition, // predicate of a step (Step::predicateBuffer)
 };
 
 struct Access {

@@ -12,8 +12,7 @@ uint64_t placeBlocks(std::vector<ArenaBlock>& blocks) {
     std::vector<size_t> order(blocks.size());
     for (size_t i = 0; i < order.size(); ++i)
         order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](size_t a, size_t b) { return blocks[a].size > blocks[b].size; });
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return blocks[a].size > blocks[b].size; });
     uint64_t height = 0;
     for (size_t i = 0; i < order.size(); ++i) {
         ArenaBlock& block = blocks[order[i]];
@@ -29,8 +28,7 @@ uint64_t placeBlocks(std::vector<ArenaBlock>& blocks) {
         for (const ArenaBlock* other : neighbours) {
             if (checkedAdd(block.offset, block.size) <= other->offset)
                 break;
-            block.offset = std::max(block.offset, alignUp(checkedAdd(other->offset, other->size),
-                                                          block.alignment));
+            block.offset = std::max(block.offset, alignUp(checkedAdd(other->offset, other->size), block.alignment));
         }
         height = std::max(height, checkedAdd(block.offset, block.size));
     }

@@ -16,7 +16,7 @@ enum : uint32_t {
 #define AGAA_ALIAS(macro, name, ofMacro, of) name = of,
 #include "shaders/tables/bindings.inc"
 };
-}
+} // namespace slot
 // Bindings of the set that hosts bind.
 namespace host_slot {
 enum : uint32_t {
@@ -24,7 +24,7 @@ enum : uint32_t {
 #define AGAA_HOST_ALIAS(macro, name, ofMacro, of) name = of,
 #include "shaders/tables/bindings.inc"
 };
-}
+} // namespace host_slot
 
 enum class BindingKind { Uniform, Texture, Image, Storage, WrittenStorage };
 
@@ -32,14 +32,16 @@ struct BindingRow {
     const char* macro; // after AGAA_BINDING_
     uint32_t slot;     // in plans and on Vulkan
     BindingKind kind;
-    uint32_t openGl;   // binding point among those of the kind
+    uint32_t openGl; // binding point among those of the kind
 };
 
-inline constexpr BindingRow bindingTable[] = { // by slot
+inline constexpr BindingRow bindingTable[] = {
+// by slot
 #define AGAA_BINDING(macro, name, slot, kind, openGl) {#macro, slot, BindingKind::kind, openGl},
 #include "shaders/tables/bindings.inc"
 };
-inline constexpr BindingRow hostBindingTable[] = { // by host_slot
+inline constexpr BindingRow hostBindingTable[] = {
+// by host_slot
 #define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) {#macro, slot, BindingKind::kind, openGl},
 #include "shaders/tables/bindings.inc"
 };

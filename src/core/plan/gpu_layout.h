@@ -21,7 +21,8 @@ using glsl_vec3 = float[3];
 using glsl_vec4 = float[4];
 using glsl_mat4 = float[16];
 
-// src/shaders/tables/frame.inc. An element of an array in std140 has 16 bytes, so each vec4 of the table holds two vectors.
+// src/shaders/tables/frame.inc. An element of an array in std140 has 16 bytes, so each vec4 of the table holds two
+// vectors.
 struct FrameConstants {
 #define AGAA_FRAME_MEMBER(word, type, name) glsl_##type name;
 #define AGAA_FRAME_BUFFER_MEMBER(word, type, name) glsl_##type name;

@@ -12,7 +12,8 @@ struct SwitchRow {
     char letter;
     const char* macro;
 };
-constexpr SwitchRow switchRows[] = { // by Switch
+constexpr SwitchRow switchRows[] = {
+// by Switch
 #define AGAA_SWITCH(letter, name, macro) {#letter[0], #macro},
 #define AGAA_PASS(...)
 #define AGAA_HOST_PASS(...)

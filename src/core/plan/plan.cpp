@@ -39,9 +39,8 @@ uint64_t Plan::peakBytes() const {
 }
 
 uint32_t Plan::geometryPasses() const {
-    return uint32_t(std::count_if(passes.begin(), passes.end(), [](const Pass& pass) {
-        return pass.kind == PassKind::HostDraw;
-    }));
+    return uint32_t(
+        std::count_if(passes.begin(), passes.end(), [](const Pass& pass) { return pass.kind == PassKind::HostDraw; }));
 }
 
 std::pair<uint32_t, uint32_t> Plan::groups(const Dispatch& dispatch) const {

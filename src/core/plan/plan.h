@@ -41,13 +41,13 @@ inline constexpr ResourceId noResource = ~0u;
 inline constexpr uint32_t noCounter = ~0u;
 
 enum class ResourceKind {
-    Image,        // per pixel, unless it has a fixed size
-    Buffer,       // per pixel
-    SmallBuffer,  // device local; its size does not depend on the target
-    UploadBuffer, // written by the CPU, one per frame in flight
+    Image,          // per pixel, unless it has a fixed size
+    Buffer,         // per pixel
+    SmallBuffer,    // device local; its size does not depend on the target
+    UploadBuffer,   // written by the CPU, one per frame in flight
     ReadbackBuffer, // read by the CPU, one per frame in flight
-    Output,       // the host's image
-    ShadowMap,    // the host's, sampled with comparison
+    Output,         // the host's image
+    ShadowMap,      // the host's, sampled with comparison
 };
 
 // The data that the executor writes into an upload buffer (src/core/frame/frame_data.h) when it records the segment
@@ -64,13 +64,13 @@ struct Resource {
     uint32_t height = 0;
     uint32_t samples = 1;
     uint32_t layers = 1;
-    uint64_t bytes = 0;      // payload of one copy
-    uint32_t copies = 1;     // frames in flight, for uploads and read-back
-    uint32_t hostSlot = 0;   // ShadowMap: index among the frame's shadows
-    uint32_t firstPass = 0;  // lifetime, by index into Plan::passes
+    uint64_t bytes = 0;     // payload of one copy
+    uint32_t copies = 1;    // frames in flight, for uploads and read-back
+    uint32_t hostSlot = 0;  // ShadowMap: index among the frame's shadows
+    uint32_t firstPass = 0; // lifetime, by index into Plan::passes
     uint32_t lastPass = 0;
-    uint64_t segments = 0;   // of all passes that use it
-    bool hasFixedSize = false;    // Image: its size does not depend on the view
+    uint64_t segments = 0;     // of all passes that use it
+    bool hasFixedSize = false; // Image: its size does not depend on the view
     bool isPersistent = false; // Buffer: its contents persist between frames; they are 0 before the first
 
     bool isPerPixel() const { return !hasFixedSize && (kind == ResourceKind::Image || kind == ResourceKind::Buffer); }
@@ -81,7 +81,7 @@ struct Resource {
 enum class BindingType {
     UniformBuffer,
     StorageBuffer,
-    Texture,       // fetched by texel
+    Texture, // fetched by texel
     StorageImage,
     ShadowTexture, // 2D array, compared
 };
@@ -223,29 +223,30 @@ struct Step {
 // A frame of a view on a device.
 struct Plan {
     ResolvedView view;
-    std::vector<std::string> notes; // why tiers and formats were chosen
-    std::vector<std::string> effects; // effects that the frame uses
-    bool aliases = true; // resources of disjoint lifetimes may share memory
+    std::vector<std::string> notes;    // why tiers and formats were chosen
+    std::vector<std::string> effects;  // effects that the frame uses
+    bool aliases = true;               // resources of disjoint lifetimes may share memory
     Format depthFormat = Format::None; // of the target; None if the plan has no depth surface
     std::vector<Resource> resources;
     std::vector<Pass> passes;
     std::vector<Repeat> repeats; // in the order of passes; they do not overlap, and each lies in one segment
-    // Counters of the newest finished frame whose low words are frame constants (feedback0 to feedback2): values of Counter, or
-    // noCounter. They are 0 before the first frame has finished and without AGAA_CONFIG_COUNTERS.
+    // Counters of the newest finished frame whose low words are frame constants (feedback0 to feedback2): values of
+    // Counter, or noCounter. They are 0 before the first frame has finished and without AGAA_CONFIG_COUNTERS.
     std::array<uint32_t, 3> feedback{noCounter, noCounter, noCounter};
     uint32_t bytesPerAggregate = 0;
     uint64_t fragmentCapacity = 0; // of the lists of all pixels together
-    uint32_t payloadWords = 0;    // of a fragment, in addition to id, next fragment and coverage
-    bool runnable = true; // false: the plan is a model that is priced and never run
+    uint32_t payloadWords = 0;     // of a fragment, in addition to id, next fragment and coverage
+    bool runnable = true;          // false: the plan is a model that is priced and never run
 
-    uint32_t depthBits() const;     // of a fixed-point depth buffer; 0: it has floats
-    uint64_t totalBytes() const;    // per-pixel payload
+    uint32_t depthBits() const;  // of a fixed-point depth buffer; 0: it has floats
+    uint64_t totalBytes() const; // per-pixel payload
     uint64_t constantBytes() const;
-    uint64_t peakBytes() const;     // per-pixel payload with disjoint lifetimes aliased
+    uint64_t peakBytes() const; // per-pixel payload with disjoint lifetimes aliased
     double bytesPerPixel() const { return double(totalBytes()) / (double(view.width) * view.height); }
     uint32_t geometryPasses() const;
     std::vector<Step> steps() const; // in the order in which they run
-    std::pair<uint32_t, uint32_t> groups(const Dispatch& dispatch) const; // across and down; not for indirect dispatches
+    std::pair<uint32_t, uint32_t>
+    groups(const Dispatch& dispatch) const;            // across and down; not for indirect dispatches
     ResourceId surface(const char* surfaceName) const; // per pixel; throws Error if there is none
 };
 

@@ -36,7 +36,8 @@ PlanBuilder::PlanBuilder(ResolvedView view, const AgaaDeviceCaps& caps, uint32_t
 }
 
 void setFields(Constants& constants, Constant first, const Fields& fields) {
-    static_assert(uint32_t(AGAA_SOURCE_DIFFUSE_R) == uint32_t(AGAA_FIELD_DIFFUSE_R) + uint32_t(ChannelCount), "ranges of constants.inc");
+    static_assert(uint32_t(AGAA_SOURCE_DIFFUSE_R) == uint32_t(AGAA_FIELD_DIFFUSE_R) + uint32_t(ChannelCount),
+                  "ranges of constants.inc");
     for (uint32_t i = 0; i < ChannelCount; ++i)
         constants[first + i] = fields[i].constant();
 }
@@ -53,8 +54,7 @@ ResourceId PlanBuilder::image(std::string name, Format format, bool atTargetRate
     r.width = atTargetRate ? scaledWidth() : plan.view.width;
     r.height = atTargetRate ? scaledHeight() : plan.view.height;
     r.samples = atTargetRate ? plan.view.hwSamples : 1;
-    r.bytes = checkedMultiply(checkedMultiply(uint64_t(r.width) * r.height, r.samples),
-                              bytesPerTexel(format));
+    r.bytes = checkedMultiply(checkedMultiply(uint64_t(r.width) * r.height, r.samples), bytesPerTexel(format));
     return add(std::move(r));
 }
 
@@ -98,22 +98,19 @@ ResourceId PlanBuilder::depth(bool needsStencil) {
     const bool d32s8 = caps_.flags & AGAA_DEVICE_D32S8;
     if (plan.view.reversedZ) {
         plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
-        note(format("depth: %s, 4 bytes%s, because reversed z wants a float format.",
-                    formatName(plan.depthFormat),
+        note(format("depth: %s, 4 bytes%s, because reversed z wants a float format.", formatName(plan.depthFormat),
                     plan.depthFormat == Format::D32S8 ? " and 1 for stencil" : ""));
     } else if (d24) {
         plan.depthFormat = Format::D24S8;
         note("depth: D24_UNORM_S8_UINT, 4 bytes with stencil.");
     } else {
         plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
-        note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.",
-                    formatName(plan.depthFormat)));
+        note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.", formatName(plan.depthFormat)));
     }
     return image("depth", plan.depthFormat, true);
 }
 
-Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass,
-                            uint64_t segment) {
+Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment) {
     require(!plan.view.hostGBuffer, AGAA_ERROR_UNSUPPORTED,
             "AgaaGBufferFunction is for techniques that shade a G-buffer; this one draws.");
     Pass pass;
@@ -177,8 +174,7 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
     return plan.passes.back();
 }
 
-Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment,
-                        uint32_t value) {
+Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment, uint32_t value) {
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
@@ -204,8 +200,12 @@ ResourceId PlanBuilder::itemBuffer(std::string name, uint64_t items, uint64_t by
                 .bytes = checkedMultiply(items, bytesPerItem)});
 }
 
-uint32_t PlanBuilder::scaledWidth() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.view.width) * plan.view.scaleX, ~0u)); }
-uint32_t PlanBuilder::scaledHeight() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.view.height) * plan.view.scaleY, ~0u)); }
+uint32_t PlanBuilder::scaledWidth() const {
+    return uint32_t(std::min<uint64_t>(uint64_t(plan.view.width) * plan.view.scaleX, ~0u));
+}
+uint32_t PlanBuilder::scaledHeight() const {
+    return uint32_t(std::min<uint64_t>(uint64_t(plan.view.height) * plan.view.scaleY, ~0u));
+}
 
 ResourceId PlanBuilder::deferredPixels() { return tileBuffer("deferred-pixels", 8, 8); }
 
@@ -227,8 +227,7 @@ void PlanBuilder::consumeDeferred(Pass& pass, ResourceId deferred) {
     setRegionSide(pass, plan.view.samples > 8 ? 1 : 2);
 }
 
-void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
-                       bool writes) {
+void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource, bool writes) {
     pass.bindings.push_back({slot, type, resource, writes});
 }
 
@@ -252,14 +251,15 @@ void PlanBuilder::bindCommon(Pass& pass) {
     if (!host)
         bind(pass, slot::Frame, BindingType::UniformBuffer, frameConstants(pass.segment));
     if (counts())
-        bind(pass, host ? uint32_t(host_slot::Counters) : uint32_t(slot::Counters),
-             BindingType::StorageBuffer, counters_, true);
+        bind(pass, host ? uint32_t(host_slot::Counters) : uint32_t(slot::Counters), BindingType::StorageBuffer,
+             counters_, true);
 }
 
 // Each text starts at line 1, so that messages of compilers refer to the host's lines.
 void PlanBuilder::addHostCode(Pass& pass, const HostText& text, const char* origin) {
     pass.compute.hostCode += "#line 1\n" + text.glsl + "\n";
-    pass.compute.hostCodeOrigin += (pass.compute.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
+    pass.compute.hostCodeOrigin +=
+        (pass.compute.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
     if (text.extensions.empty())
         return;
     pass.compute.hostCodeExtensions += "#line 1\n" + text.extensions + "\n#line 100000\n";
@@ -290,8 +290,8 @@ uint32_t PlanBuilder::listLength() const {
 void PlanBuilder::bindHostFetch(Pass& pass) {
     addHostCode(pass, plan.view.fetchFunction, "AgaaFetchFunction");
     pass.compute.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
-                           "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
-                           plan.view.primitiveBits, plan.view.clipZFromMinusOne, listLength());
+                                   "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
+                                   plan.view.primitiveBits, plan.view.clipZFromMinusOne, listLength());
     pass.compute.defines += customGlsl(plan.view.layout);
     if (plan.view.someUnfetched)
         pass.compute.defines += "#define AGAA_SOME_UNFETCHED 1\n";
@@ -299,8 +299,8 @@ void PlanBuilder::bindHostFetch(Pass& pass) {
 
 ResourceId PlanBuilder::output() {
     if (output_ == noResource)
-        output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.view.width,
-                       .height = plan.view.height});
+        output_ =
+            add({.name = "output", .kind = ResourceKind::Output, .width = plan.view.width, .height = plan.view.height});
     return output_;
 }
 
@@ -373,15 +373,15 @@ void PlanBuilder::checkLimits() const {
         fail(AGAA_ERROR_INTERNAL, format("the plan has %zu passes; AgaaFrameStatistics::passes holds %d.",
                                          plan.passes.size(), AGAA_MAX_PASSES));
     // This also limits targets and outputs of the host, which are not resources of the plan.
-    const uint64_t width = uint64_t(plan.view.width) * plan.view.scaleX, height = uint64_t(plan.view.height) * plan.view.scaleY;
+    const uint64_t width = uint64_t(plan.view.width) * plan.view.scaleX,
+                   height = uint64_t(plan.view.height) * plan.view.scaleY;
     if (std::max(width, height) > caps_.maxImageSize)
         fail(AGAA_ERROR_TOO_LARGE,
-             format("the target would be %llux%llu texels; the device allows %u. Ask for fewer samples or a smaller view.",
-                    static_cast<unsigned long long>(width), static_cast<unsigned long long>(height),
-                    caps_.maxImageSize));
+             format(
+                 "the target would be %llux%llu texels; the device allows %u. Ask for fewer samples or a smaller view.",
+                 static_cast<unsigned long long>(width), static_cast<unsigned long long>(height), caps_.maxImageSize));
     for (const Resource& r : plan.resources) {
-        if (r.kind == ResourceKind::Image &&
-            (r.width > caps_.maxImageSize || r.height > caps_.maxImageSize))
+        if (r.kind == ResourceKind::Image && (r.width > caps_.maxImageSize || r.height > caps_.maxImageSize))
             fail(AGAA_ERROR_TOO_LARGE,
                  format("%s would be %ux%u texels; the device allows %u. Ask for fewer samples or a "
                         "smaller view.",

@@ -55,8 +55,7 @@ public:
     // Adds a pass that sets each word of the buffer to the value.
     Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment, uint32_t value = 0);
 
-    void bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
-              bool writes = false);
+    void bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource, bool writes = false);
     ResourceId frameConstants(uint64_t segment);
     // Binds the frame constants and, with AGAA_CONFIG_COUNTERS, the counters.
     void bindCommon(Pass& pass);
@@ -83,8 +82,8 @@ private:
     bool isSwitchedOn(Switch which) const;
     bool variantHas(uint64_t fact) const { return plan.view.variantFacts.flags & fact; }
     uint32_t variantLitShadows() const; // among the shadows of the variant
-    void specialiseForVariant(); // disables effects that the variant lacks
-    uint32_t listLength() const; // primitives that a workgroup processes at a time
+    void specialiseForVariant();        // disables effects that the variant lacks
+    uint32_t listLength() const;        // primitives that a workgroup processes at a time
     void checkLimits() const;
     static void addHostCode(Pass& pass, const HostText& text, const char* origin);
     void bindShadows(Pass& pass);

@@ -37,7 +37,8 @@ Constants constantsOf(const ResolvedView& view) {
     c[AGAA_ONE_ALPHA2] = std::bit_cast<uint32_t>(view.facts.alpha2);
     c[AGAA_ONE_SPECULAR] = std::bit_cast<uint32_t>(view.facts.specular);
     c[AGAA_SHADING_COST] = measurement.shadingCost;
-    c[AGAA_GLOSS_WEIGHT] = view.aggregation.glossWeight > 0 ? std::bit_cast<uint32_t>(view.aggregation.glossWeight) : 0; // not -0
+    c[AGAA_GLOSS_WEIGHT] =
+        view.aggregation.glossWeight > 0 ? std::bit_cast<uint32_t>(view.aggregation.glossWeight) : 0; // not -0
     c[AGAA_LIT_SHADOWS] = view.aggregation.litShadows;
     c[AGAA_DEBUG_VIEW] = measurement.debugView;
     c[AGAA_FAR_DEPTH] = !view.reversedZ;
@@ -62,8 +63,9 @@ void PlanBuilder::specialiseForVariant() {
         if (pass.kind != PassKind::Compute)
             continue;
         // A pass that is compiled with the view may read any constant.
-        const std::span<const uint32_t> spirv =
-            pass.compute.hostCode.empty() && pass.compute.text.empty() ? embeddedSpirv(pass.compute.shader) : std::span<const uint32_t>();
+        const std::span<const uint32_t> spirv = pass.compute.hostCode.empty() && pass.compute.text.empty()
+                                                    ? embeddedSpirv(pass.compute.shader)
+                                                    : std::span<const uint32_t>();
         const auto limit = [&](Constant constant, uint32_t value) {
             uint32_t& current = pass.constants[constant];
             if (current != value && (spirv.empty() || readsConstant(spirv, constant)))

@@ -48,8 +48,7 @@ public:
         separate();
         text += on ? "true" : "false";
     }
-    template <typename T>
-    void field(const char* name, const T& v) {
+    template <typename T> void field(const char* name, const T& v) {
         key(name);
         if constexpr (std::is_same_v<T, bool>)
             flag(v);

@@ -30,10 +30,10 @@ void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
 
 void PlanBuilder::bindLighting(Pass& pass) {
     const bool host = pass.kind == PassKind::HostDraw;
-    require(!host || plan.view.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
-            "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
-    bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer,
-         lights_);
+    require(
+        !host || plan.view.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
+        "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
+    bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer, lights_);
     // Shaders declare the masks even if there are none.
     if (!host)
         bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
@@ -49,8 +49,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
         if (plan.view.functionShadows >> i & 1)
             continue;
         if (shadowMaps_[i] == noResource)
-            shadowMaps_[i] =
-                add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap, .hostSlot = i});
+            shadowMaps_[i] = add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap, .hostSlot = i});
         anyMap = shadowMaps_[i];
     }
     const bool host = pass.kind == PassKind::HostDraw;
@@ -64,7 +63,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
             "host's.");
     addHostCode(pass, plan.view.shadowFunction, "AgaaShadowFunction");
     pass.compute.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
-                           plan.view.functionShadows, anyMap != noResource);
+                                   plan.view.functionShadows, anyMap != noResource);
 }
 
 void PlanBuilder::listEffects(bool readsFolded) {

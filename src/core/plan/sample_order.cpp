@@ -6,16 +6,17 @@
 namespace agaa {
 
 std::vector<SamplePosition> positionsOf(const Plan& plan) {
-    const SamplePositions all = plan.view.samplePositions.empty()
-                                    ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
-                                    : samplePositions(plan.view.samplePositions);
+    const SamplePositions all =
+        plan.view.samplePositions.empty()
+            ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
+            : samplePositions(plan.view.samplePositions);
     return {all.begin(), all.begin() + plan.view.samples};
 }
 
 // Returns the squared distances to the chosen samples in ascending order, on a pixel whose opposite edges are joined.
 // They are rounded, so that equal distances compare equal.
-static std::vector<uint32_t> distances(const std::vector<SamplePosition>& positions, const std::vector<uint32_t>& chosen,
-                                       uint32_t i) {
+static std::vector<uint32_t> distances(const std::vector<SamplePosition>& positions,
+                                       const std::vector<uint32_t>& chosen, uint32_t i) {
     std::vector<uint32_t> out;
     for (const uint32_t other : chosen) {
         const auto across = [](float d) { return std::min(std::fabs(d), 1 - std::fabs(d)); };

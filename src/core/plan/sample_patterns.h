@@ -18,8 +18,7 @@ std::vector<SamplePosition> standardPositions(uint32_t hwSamples);
 // Returns the samples of a target with scaleX x scaleY texels per pixel, each with samples at these positions. The
 // index is (sy scaleX + sx) hwSamples + s.
 using SamplePositions = std::array<SamplePosition, 128>;
-SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t scaleX,
-                                uint32_t scaleY);
+SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t scaleX, uint32_t scaleY);
 SamplePositions samplePositions(std::span<const float> pairs); // x, y
 
 } // namespace agaa

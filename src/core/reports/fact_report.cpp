@@ -19,7 +19,7 @@ constexpr uint64_t ofMasks = AGAA_FACT_NO_TRANSLUCENCY | AGAA_FACT_NO_CUTOUTS;
 struct FactRow {
     uint64_t fact;
     const char* name;
-    uint64_t AgaaFactReport::* demands; // materials
+    uint64_t AgaaFactReport::*demands; // materials
 };
 constexpr FactRow rows[] = {
     {AGAA_FACT_SPECULAR, "SPECULAR", &AgaaFactReport::withSpecular},
@@ -74,7 +74,9 @@ std::string namesOf(uint64_t flags) {
 }
 
 // Counts of fetched, masked materials are per fragment; there are more fragments than materials.
-double shareOf(uint64_t part, uint64_t whole) { return whole ? std::min(100.0 * double(part) / double(whole), 100.0) : 100.0; }
+double shareOf(uint64_t part, uint64_t whole) {
+    return whole ? std::min(100.0 * double(part) / double(whole), 100.0) : 100.0;
+}
 
 std::string explain(const AgaaFactReport& report, uint64_t viewFlags) {
     std::string text;

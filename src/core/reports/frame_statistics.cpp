@@ -39,8 +39,7 @@ AgaaResult frameStatistics(const ViewState& view, uint64_t completedFrame, AgaaF
     out.variantFlags = view.variantIn(slot).facts.flags;
     out.variantShadowMaps = view.variantIn(slot).facts.shadowMapCount;
     out.frameIndex = newest->frame;
-    out.counters = plan.view.config.flags & AGAA_CONFIG_COUNTERS ? countersOf(view.readCounters(slot))
-                                                            : AgaaCounters{};
+    out.counters = plan.view.config.flags & AGAA_CONFIG_COUNTERS ? countersOf(view.readCounters(slot)) : AgaaCounters{};
     const std::vector<double> times = view.readPassTimes(slot);
     if (!times.empty())
         out.timeSource = view.timeSource();

@@ -43,7 +43,8 @@ static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses
         return "Samples were written twice or where nothing is visible. Usual causes: objects are drawn that "
                "the prepass left out with the depth test off, or an alpha mask differs between the passes.";
     if (geometryPasses == 0)
-        return "Every sample that agaaHostSample shows was accumulated exactly once. Whether its depth fits AgaaFrame's "
+        return "Every sample that agaaHostSample shows was accumulated exactly once. Whether its depth fits "
+               "AgaaFrame's "
                "camera cannot be told.";
     if (geometryPasses == 1)
         return "Every visible sample was written exactly once, by the only geometry pass: there is no other that "
@@ -70,8 +71,8 @@ AgaaResult frameValidation(const ViewState& view, uint64_t completedFrame, AgaaF
     out.misplaced = counters.misplaced;
     out.unannounced = counters.unannounced;
     out.invalidPixels = buffer.invalidPixels;
-    out.isValid = out.visible != 0 && out.uncovered == 0 && out.overlapping == 0 && out.unannounced == 0 &&
-                  !isMisplaced(out);
+    out.isValid =
+        out.visible != 0 && out.uncovered == 0 && out.overlapping == 0 && out.unannounced == 0 && !isMisplaced(out);
     out.pixelCount = std::min<uint32_t>(buffer.invalidPixels, AGAA_MAX_INVALID_PIXELS);
     for (uint32_t i = 0; i < AGAA_MAX_INVALID_PIXELS; ++i) {
         out.pixels[i] = {};

@@ -22,11 +22,18 @@ namespace agaa {
 namespace {
 
 using Number = int64_t AgaaPrice::*;
-constexpr Number numbers[] = {
-    &AgaaPrice::passes,        &AgaaPrice::geometryPasses,    &AgaaPrice::pipelines,
-    &AgaaPrice::totalBytes,    &AgaaPrice::peakBytes,         &AgaaPrice::constantBytes,
-    &AgaaPrice::sampleBits,    &AgaaPrice::aggregateBits,     &AgaaPrice::trafficBytes,
-    &AgaaPrice::maxEventsPerPixel, &AgaaPrice::maxShadowTapsPerEvent, &AgaaPrice::maxLightsPerEvent};
+constexpr Number numbers[] = {&AgaaPrice::passes,
+                              &AgaaPrice::geometryPasses,
+                              &AgaaPrice::pipelines,
+                              &AgaaPrice::totalBytes,
+                              &AgaaPrice::peakBytes,
+                              &AgaaPrice::constantBytes,
+                              &AgaaPrice::sampleBits,
+                              &AgaaPrice::aggregateBits,
+                              &AgaaPrice::trafficBytes,
+                              &AgaaPrice::maxEventsPerPixel,
+                              &AgaaPrice::maxShadowTapsPerEvent,
+                              &AgaaPrice::maxLightsPerEvent};
 
 int64_t checkedSigned(uint64_t number) {
     require(number <= uint64_t(std::numeric_limits<int64_t>::max()), AGAA_ERROR_TOO_LARGE,
@@ -36,8 +43,9 @@ int64_t checkedSigned(uint64_t number) {
 
 // Returns the members in which the pipelines of passes differ.
 auto pipelineOf(const Pass& pass) {
-    return std::tie(pass.kind, pass.compute.file, pass.compute.shader, pass.compute.defines, pass.compute.text, pass.draw.text, pass.compute.hostCode, pass.constants, pass.draw.id,
-                    pass.draw.sampleContent, pass.draw.fragmentContent, pass.draw.expansionText);
+    return std::tie(pass.kind, pass.compute.file, pass.compute.shader, pass.compute.defines, pass.compute.text,
+                    pass.draw.text, pass.compute.hostCode, pass.constants, pass.draw.id, pass.draw.sampleContent,
+                    pass.draw.fragmentContent, pass.draw.expansionText);
 }
 
 uint64_t pipelineCount(const Plan& plan) {
@@ -160,7 +168,9 @@ public:
 
     using Change = std::function<void(ViewSettings&)>;
 
-    AgaaPrice view() const { return priceOf(planOf([](ViewSettings&) {})); }
+    AgaaPrice view() const {
+        return priceOf(planOf([](ViewSettings&) {}));
+    }
 
     AgaaPrice difference(const Change& with, const Change& without) const try {
         const Plan more = planOf(with), less = planOf(without);
@@ -168,7 +178,8 @@ public:
         const AgaaPrice other = priceOf(less);
         for (const Number number : numbers) // both are at least 0, so that the difference does not overflow
             price.*number -= other.*number;
-        price.changesTier = more.view.visibilityTier != less.view.visibilityTier || more.view.generationTier != less.view.generationTier;
+        price.changesTier = more.view.visibilityTier != less.view.visibilityTier ||
+                            more.view.generationTier != less.view.generationTier;
         return price;
     } catch (const Error& error) {
         if (error.code == AGAA_ERROR_INTERNAL)

@@ -12,9 +12,7 @@ namespace {
 
 constexpr float meanLength = 16; // observations
 
-void addTo(float& mean, double value, float count) {
-    mean += (float(value) - mean) / std::min(count, meanLength);
-}
+void addTo(float& mean, double value, float count) { mean += (float(value) - mean) / std::min(count, meanLength); }
 
 // Hosts may measure the whole frame as one part. Both parts then have the same ratio.
 FrameTimes ratioOf(const FrameTimes& observed, const FrameTimes& predicted) {
@@ -71,7 +69,8 @@ void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow& row) {
     const double events = double(o.eventsPerPixel) / o.coverage;
     if (const std::optional<double> complexity = complexityOf(row, events))
         addTo(numbers_.complexity, *complexity + 1, numbers_.complexity > 0 ? count : 1);
-    const double usual = numbers_.complexity > 0 ? numbers_.complexity - 1 : usualTerms(AGAA_SCENE_FACTS_INIT).complexity;
+    const double usual =
+        numbers_.complexity > 0 ? numbers_.complexity - 1 : usualTerms(AGAA_SCENE_FACTS_INIT).complexity;
     addTo(numbers_.coverage, o.coverage, count);
     addTo(numbers_.lights, o.lightsPerEvent / row.lightRatio, count);
     if (const double taps = tapsOf(row, usual); taps > 0)

@@ -30,11 +30,11 @@ private:
         float count;             // of observations
     };
     struct Numbers {
-        float sinceChange; // observations of the current choice since it was chosen
-        float count; // of observations with counts
+        float sinceChange;                           // observations of the current choice since it was chosen
+        float count;                                 // of observations with counts
         float coverage, complexity, lights, shadows; // means; complexity is stored plus 1
-        float geometry, shading; // of the row that ran last
-        float timesNumber; // of the predictions that the times are relative to
+        float geometry, shading;                     // of the row that ran last
+        float timesNumber;                           // of the predictions that the times are relative to
         float unused[2];
         Row rows[maxRows];
     };

@@ -45,15 +45,16 @@ std::string whyText(const AgaaChoice& choice, const AgaaGoal& goal, size_t satis
                       waits ? "" : ": others would gain too little");
     if (!choice.hasChanged)
         return waits ? format("is kept%s", until)
-                     : format("is kept: no other of the %zu settings that hold all limits gains enough %s", satisfying, criterion);
+                     : format("is kept: no other of the %zu settings that hold all limits gains enough %s", satisfying,
+                              criterion);
     return format("is chosen for its %s: %zu of %zu settings hold all limits", criterion, satisfying, count);
 }
 
 std::string errorsText(const AgaaChoice& choice, const Predictions& predictions) {
     if (predictions.areMeasured())
         return format("Measured: error %.3g of single's. Predicted: ", choice.errorShare);
-    return format("Predicted: error %.3g of single's (median %.3g, worst %.3g), ", choice.errorShare, choice.errorShareMedian,
-                  choice.errorShareWorst);
+    return format("Predicted: error %.3g of single's (median %.3g, worst %.3g), ", choice.errorShare,
+                  choice.errorShareMedian, choice.errorShareWorst);
 }
 
 } // namespace
@@ -63,7 +64,8 @@ void explain(AgaaChoice& choice, const AgaaGoal& goal, const Predictions& predic
     std::string text = settingsText(choice) + " " + whyText(choice, goal, satisfying, count, waits) + ". ";
     const bool isOfDevice = choice.hasTimes || predictions.hasMeasuredTimes();
     text += errorsText(choice, predictions) + format("%.3g ms%s, %.3g MB.", choice.milliseconds,
-                                                     isOfDevice ? "" : " on the table's device", double(choice.bytes) * 1e-6);
+                                                     isOfDevice ? "" : " on the table's device",
+                                                     double(choice.bytes) * 1e-6);
     if (choice.leftOut)
         text += format(" %u settings are left out, the first because %s", choice.leftOut, firstExclusion.c_str());
     const size_t length = std::min(text.size(), sizeof choice.reason - 1);

@@ -10,29 +10,31 @@ namespace agaa {
 namespace {
 
 struct CommonCosts {
-    float lightTime, tapTime;                              // nanoseconds
-    float singleGeometry, coverage, complexity, lights;    // medians of the scenes
+    float lightTime, tapTime;                           // nanoseconds
+    float singleGeometry, coverage, complexity, lights; // medians of the scenes
 };
 
-#define AGAA_CHOICE_SCENES(count, ...)                                         \
-    static_assert(count == tableScenes, "the table has errors of other scenes"); \
+#define AGAA_CHOICE_SCENES(count, ...)                                                                                 \
+    static_assert(count == tableScenes, "the table has errors of other scenes");                                       \
     constexpr std::array<float, tableScenes> singleErrors = {__VA_ARGS__};
 #define AGAA_CHOICE_COMMON(...) constexpr CommonCosts common = {__VA_ARGS__};
 #define AGAA_CHOICE_ROW(...)
 #include "core/tuning/choice_table.inc"
 
 template <typename... Numbers>
-constexpr ChoiceRow makeRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, AgaaTier tier,
-                          float geometryRatio, float geometryTime, float pixelTime, float eventTime, float lightRatio,
-                          float events, float eventsByComplexity, float taps, float tapsByComplexity, Numbers... errors) {
+constexpr ChoiceRow makeRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset,
+                            AgaaTier tier, float geometryRatio, float geometryTime, float pixelTime, float eventTime,
+                            float lightRatio, float events, float eventsByComplexity, float taps,
+                            float tapsByComplexity, Numbers... errors) {
     static_assert(sizeof...(errors) == tableScenes, "a row has errors of other scenes");
-    return {technique, samples,    aggregates, preset, tier, geometryRatio,      geometryTime, pixelTime,
-            eventTime, lightRatio, events,     eventsByComplexity, taps, tapsByComplexity, {errors...}};
+    return {technique,    samples,          aggregates, preset,     tier,   geometryRatio,
+            geometryTime, pixelTime,        eventTime,  lightRatio, events, eventsByComplexity,
+            taps,         tapsByComplexity, {errors...}};
 }
 
 #define AGAA_CHOICE_SCENES(...)
 #define AGAA_CHOICE_COMMON(...)
-#define AGAA_CHOICE_ROW(technique, samples, aggregates, preset, tier, ...) \
+#define AGAA_CHOICE_ROW(technique, samples, aggregates, preset, tier, ...)                                             \
     makeRow(technique, samples, aggregates, preset, AGAA_TIER_##tier, __VA_ARGS__),
 constexpr ChoiceRow rows[] = {
 #include "core/tuning/choice_table.inc"
@@ -50,10 +52,11 @@ double eventsOf(const ChoiceRow& row, double complexity) { return row.events + r
 
 std::span<const ChoiceRow> choiceRows() { return rows; }
 
-const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier) {
+const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset,
+                         uint32_t tier) {
     for (const ChoiceRow& row : choiceRows())
-        if (technique && isSameName(row.technique, technique) && row.samples == samples && row.aggregates == aggregates &&
-            isSameName(row.preset, preset ? preset : "") && uint32_t(row.tier) == tier)
+        if (technique && isSameName(row.technique, technique) && row.samples == samples &&
+            row.aggregates == aggregates && isSameName(row.preset, preset ? preset : "") && uint32_t(row.tier) == tier)
             return &row;
     return nullptr;
 }
@@ -68,7 +71,8 @@ float errorIn(const ChoiceRow& row, float share) {
 }
 
 SceneTerms usualTerms(const AgaaSceneFacts& facts) {
-    return {common.coverage, common.complexity, std::min<double>(common.lights, facts.maxLights), double(facts.shadowMapCount)};
+    return {common.coverage, common.complexity, std::min<double>(common.lights, facts.maxLights),
+            double(facts.shadowMapCount)};
 }
 
 FrameTimes predictTimes(const ChoiceRow& row, const SceneTerms& terms, uint64_t pixels) {
@@ -77,7 +81,8 @@ FrameTimes predictTimes(const ChoiceRow& row, const SceneTerms& terms, uint64_t 
     const double lights = terms.lights * row.lightRatio;
     const double milliseconds = double(pixels) * 1e-6; // a nanosecond per pixel
     return {(row.geometryRatio * double(common.singleGeometry) + row.geometryTime) * milliseconds,
-            (row.pixelTime + events * (row.eventTime + lights * common.lightTime) + taps * common.tapTime) * milliseconds};
+            (row.pixelTime + events * (row.eventTime + lights * common.lightTime) + taps * common.tapTime) *
+                milliseconds};
 }
 
 double tapsOf(const ChoiceRow& row, double complexity) { return row.taps + row.tapsByComplexity * complexity; }

@@ -26,7 +26,8 @@ struct ChoiceRow {
 std::span<const ChoiceRow> choiceRows();
 
 // Returns the row of these settings, or null. A preset of null or "" means none.
-const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier);
+const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset,
+                         uint32_t tier);
 // Returns the row of an AgaaObservation, AgaaChoice or AgaaMeasuredSettings, or null.
 template <class Settings> const ChoiceRow* rowOf(const Settings& s) {
     return findRow(s.technique, s.samples, s.aggregates, s.preset, s.generationTier);

@@ -14,8 +14,8 @@ namespace agaa {
 
 namespace {
 
-constexpr double timeMargin = 0.1; // share of the time limit, on either side
-constexpr double timeGain = 0.15;  // share of the time that another choice must save
+constexpr double timeMargin = 0.1;    // share of the time limit, on either side
+constexpr double timeGain = 0.15;     // share of the time that another choice must save
 constexpr float minObservations = 16; // of a choice before its times may replace it
 
 void checkGoal(const AgaaGoal& goal) {
@@ -80,7 +80,8 @@ public:
 
     bool isBetter(const Candidate& a, const Candidate& b) const { return key(a) < key(b); }
     const Candidate& best(const std::vector<Candidate>& list) const {
-        return *std::min_element(list.begin(), list.end(), [&](const Candidate& a, const Candidate& b) { return isBetter(a, b); });
+        return *std::min_element(list.begin(), list.end(),
+                                 [&](const Candidate& a, const Candidate& b) { return isBetter(a, b); });
     }
 
 private:
@@ -121,7 +122,8 @@ const Candidate& choose(const std::vector<Candidate>& list, const Candidate& cur
 
 uint32_t missedLimits(const Candidate& c, const AgaaGoal& goal) {
     const auto missed = [](double number, double limit, uint32_t bit) { return ratioOf(number, limit) > 1 ? bit : 0u; };
-    return missed(c.errorShare, goal.maxErrorShare, AGAA_LIMIT_ERROR_SHARE) | missed(c.error, goal.maxError, AGAA_LIMIT_ERROR) |
+    return missed(c.errorShare, goal.maxErrorShare, AGAA_LIMIT_ERROR_SHARE) |
+           missed(c.error, goal.maxError, AGAA_LIMIT_ERROR) |
            missed(c.milliseconds, goal.maxMilliseconds, AGAA_LIMIT_MILLISECONDS) |
            missed(double(c.bytes), double(goal.maxBytes), AGAA_LIMIT_BYTES);
 }
@@ -156,7 +158,8 @@ AgaaChoice describe(const Candidate& chosen, const AgaaGoal& goal, const ChoiceM
 
 } // namespace
 
-void applySettings(const ChoiceRow& row, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+void applySettings(const ChoiceRow& row, AgaaConfig& config, AgaaAggregation& aggregation,
+                   AgaaMeasurement* measurement) {
     if (*row.preset)
         applyPreset(row.preset, config, aggregation, measurement);
     else
@@ -191,13 +194,15 @@ AgaaChoice chooseSettings(const TunedView& view, const AgaaGoal& goal, const Aga
     choice.hasChanged = hasChanged;
     choice.leftOut = candidates.excluded;
     memory.store(choice);
-    const auto satisfying = size_t(std::count_if(list.begin(), list.end(), [&](const Candidate& c) { return Order(goal).satisfies(c); }));
+    const auto satisfying =
+        size_t(std::count_if(list.begin(), list.end(), [&](const Candidate& c) { return Order(goal).satisfies(c); }));
     const bool waits = !hasChanged && memory.hasTimes() && memory.observationsSinceChange() < minObservations;
     explain(choice, goal, predictions, satisfying, list.size(), waits, candidates.firstReason.message);
     return choice;
 }
 
-void applyChoice(const AgaaChoice& choice, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+void applyChoice(const AgaaChoice& choice, AgaaConfig& config, AgaaAggregation& aggregation,
+                 AgaaMeasurement* measurement) {
     const ChoiceRow* row = chosenRow(choice);
     require(row, AGAA_ERROR_INVALID_ARGUMENT, "nothing is chosen yet: AgaaChoice::technique is null.");
     applySettings(*row, config, aggregation, measurement);

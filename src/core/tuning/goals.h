@@ -27,8 +27,10 @@ AgaaChoice chooseSettings(const TunedView& view, const AgaaGoal& goal, const Aga
                           const AgaaChoice& current);
 
 // Sets what a row of the table determines. measurement may be null.
-void applySettings(const ChoiceRow& row, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement);
+void applySettings(const ChoiceRow& row, AgaaConfig& config, AgaaAggregation& aggregation,
+                   AgaaMeasurement* measurement);
 // Throws Error if the table lacks the settings of the choice; the arguments are then unchanged.
-void applyChoice(const AgaaChoice& choice, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement);
+void applyChoice(const AgaaChoice& choice, AgaaConfig& config, AgaaAggregation& aggregation,
+                 AgaaMeasurement* measurement);
 
 } // namespace agaa

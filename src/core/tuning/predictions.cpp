@@ -74,8 +74,9 @@ void Predictions::numberTimes() {
     uint32_t sum = 0;
     for (size_t i = 0; i < list_.size(); ++i) {
         uint32_t hash = 2166136261u;
-        for (const uint64_t word : {uint64_t(list_[i].row - choiceRows().data()), std::bit_cast<uint64_t>(measuredTimes_[i].geometry),
-                                    std::bit_cast<uint64_t>(measuredTimes_[i].shading)})
+        for (const uint64_t word :
+             {uint64_t(list_[i].row - choiceRows().data()), std::bit_cast<uint64_t>(measuredTimes_[i].geometry),
+              std::bit_cast<uint64_t>(measuredTimes_[i].shading)})
             for (int shift = 0; shift < 64; shift += 8)
                 hash = (hash ^ uint32_t(word >> shift & 0xFF)) * 16777619u;
         sum += hash;

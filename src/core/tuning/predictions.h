@@ -11,8 +11,9 @@ namespace agaa {
 // The predicted errors of settings.
 struct Prediction {
     const ChoiceRow* row;
-    float errorShare, errorShareMedian, errorShareWorst; // relative to "single": for AgaaGoal::sceneShare, half and all of the scenes
-    float error;                                         // for AgaaGoal::sceneShare of the scenes
+    float errorShare, errorShareMedian,
+        errorShareWorst; // relative to "single": for AgaaGoal::sceneShare, half and all of the scenes
+    float error;         // for AgaaGoal::sceneShare of the scenes
 };
 
 class Predictions {

@@ -23,15 +23,17 @@ std::string customGlsl(const Layout& layout) {
         for (uint32_t i = 0; i < a.channels; ++i, ++channel) {
             const std::string value = a.channels == 1 ? member : member + "." + "xyzw"[i];
             if (!isNormal)
-                sanitise += format("%s = agaa_sanitise(%s, 0.0, %s, agaa_bad); ", value.c_str(), value.c_str(), range.c_str());
+                sanitise +=
+                    format("%s = agaa_sanitise(%s, 0.0, %s, agaa_bad); ", value.c_str(), value.c_str(), range.c_str());
             store += format("(agaa_v).custom[%u] = %s / %s; ", channel, value.c_str(), range.c_str());
             components += format("%s(agaa_v).custom[%u]", i ? ", " : "", channel);
         }
         load += format("%s = %s(%s) * %s; ", member.c_str(), type.c_str(), components.c_str(), range.c_str());
     }
     return "#define AGAA_CUSTOM_MEMBERS " + members + "\n#define AGAA_CLEAR_CUSTOM(agaa_s) " + clear +
-           "\n#define AGAA_SANITISE_CUSTOM(agaa_s, agaa_bad) " + sanitise + "\n#define AGAA_STORE_CUSTOM(agaa_s, agaa_v) " + store +
-           "\n#define AGAA_LOAD_CUSTOM(agaa_v, agaa_s) " + load + "\n";
+           "\n#define AGAA_SANITISE_CUSTOM(agaa_s, agaa_bad) " + sanitise +
+           "\n#define AGAA_STORE_CUSTOM(agaa_s, agaa_v) " + store + "\n#define AGAA_LOAD_CUSTOM(agaa_v, agaa_s) " +
+           load + "\n";
 }
 
 } // namespace agaa

@@ -11,10 +11,11 @@ template <auto part, uint64_t flag, bool means = true> constexpr Effect flagEffe
     return {.name = name,
             .need = need,
             .isOn = [](const ViewSettings& view) { return (((view.*part).flags & flag) != 0) == means; },
-            .set = [](ViewSettings& view, bool on) {
-                uint64_t& flags = (view.*part).flags;
-                flags = on == means ? flags | flag : flags & ~flag;
-            }};
+            .set =
+                [](ViewSettings& view, bool on) {
+                    uint64_t& flags = (view.*part).flags;
+                    flags = on == means ? flags | flag : flags & ~flag;
+                }};
 }
 
 template <uint64_t flag> constexpr Effect fact(const char* name, const char* need) {
@@ -40,10 +41,11 @@ template <uint32_t index> constexpr Effect shadowMap(const char* name, const cha
     return {.name = name,
             .need = need,
             .isOn = [](const ViewSettings& view) { return view.facts.shadowMapCount > index; },
-            .set = [](ViewSettings& view, bool on) {
-                view.facts.shadowMapCount = on ? index + 1 : index;
-                view.functionShadows &= (1u << view.facts.shadowMapCount) - 1;
-            }};
+            .set =
+                [](ViewSettings& view, bool on) {
+                    view.facts.shadowMapCount = on ? index + 1 : index;
+                    view.functionShadows &= (1u << view.facts.shadowMapCount) - 1;
+                }};
 }
 
 // Sets a strength that is 0 without the effect. If the description has none, the usual strength is set.
@@ -55,9 +57,11 @@ constexpr Effect table[] = {
     fact<AGAA_FACT_SPECULAR>("specular", "Materials have specular highlights."),
     unlessFact<AGAA_FACT_ONE_ROUGHNESS>("varied-roughness", "Materials differ in roughness."),
     unlessFact<AGAA_FACT_GREY_SPECULAR>("coloured-specular", "Highlights have colours, as those of gold and copper."),
-    unlessFact<AGAA_FACT_ONE_SPECULAR>("varied-specular", "Materials differ in specular reflectance, as metals and plastics."),
+    unlessFact<AGAA_FACT_ONE_SPECULAR>("varied-specular",
+                                       "Materials differ in specular reflectance, as metals and plastics."),
     unlessFact<AGAA_FACT_NO_DIFFUSE>("diffuse", "Materials reflect light diffusely, as all but metals do."),
-    unlessFact<AGAA_FACT_PLANE_NORMALS>("shading-normals", "Normal maps, or normals between vertices, change the shading."),
+    unlessFact<AGAA_FACT_PLANE_NORMALS>("shading-normals",
+                                        "Normal maps, or normals between vertices, change the shading."),
     fact<AGAA_FACT_EMISSIVE>("emissive", "Materials emit light."),
     fact<AGAA_FACT_AMBIENT>("ambient", "Ambient light reaches the surfaces."),
     fact<AGAA_FACT_ALPHA_MASKED>("alpha-mask", "Materials have cut-outs, for example leaves."),
@@ -79,7 +83,8 @@ constexpr Effect table[] = {
      .need = "Edges of shadows cross aggregates whose samples differ in normal or colour.",
      .isOn = [](const ViewSettings& view) { return view.aggregation.litShadows != 0; },
      .set = [](ViewSettings& view, bool on) { setStrength(view.aggregation.litShadows, on, 1u); }},
-    usual<AGAA_MEASURE_NO_DIFFUSE_FILTER>("filtered-diffuse", "Normals differ within an aggregate of a diffuse surface."),
+    usual<AGAA_MEASURE_NO_DIFFUSE_FILTER>("filtered-diffuse",
+                                          "Normals differ within an aggregate of a diffuse surface."),
     {.name = "ndf-widening",
      .need = "Normals differ within an aggregate of a glossy surface.",
      .isOn = [](const ViewSettings& view) { return view.config.ndf != AGAA_NDF_NONE; },
@@ -87,16 +92,18 @@ constexpr Effect table[] = {
     {.name = "elliptic-lobes",
      .need = "Thin geometry has sharp highlights.",
      .isOn = [](const ViewSettings& view) { return view.config.ndf > AGAA_NDF_TOKSVIG; },
-     .set = [](ViewSettings& view, bool on) {
-         uint32_t& ndf = view.config.ndf;
-         ndf = on ? std::max<uint32_t>(ndf, AGAA_NDF_LEAN) : std::min<uint32_t>(ndf, AGAA_NDF_TOKSVIG);
-     }},
+     .set =
+         [](ViewSettings& view, bool on) {
+             uint32_t& ndf = view.config.ndf;
+             ndf = on ? std::max<uint32_t>(ndf, AGAA_NDF_LEAN) : std::min<uint32_t>(ndf, AGAA_NDF_TOKSVIG);
+         }},
     {.name = "gloss-weight",
      .need = "Glossy surfaces of different directions share a pixel.",
      .isOn = [](const ViewSettings& view) { return view.aggregation.glossWeight > 0; },
      .set = [](ViewSettings& view, bool on) { setStrength(view.aggregation.glossWeight, on, 0.5f); }},
     option<AGAA_CONFIG_BUFFERED>("buffered", "Shaders of the host read aggregates."),
-    option<AGAA_CONFIG_FINE_MATERIALS>("fine-materials", "Textures change within the part of a primitive that a pixel shows."),
+    option<AGAA_CONFIG_FINE_MATERIALS>("fine-materials",
+                                       "Textures change within the part of a primitive that a pixel shows."),
     {.name = "unfetched-draws",
      .need = "The materials of some draws cannot be fetched by id.",
      .isOn = [](const ViewSettings& view) { return view.someUnfetched; },

@@ -116,16 +116,21 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
 // The list has all words that cannot name a member: keywords and reserved words of GLSL and macros of src/shaders/math.
 static bool isWordOfGlsl(std::string_view name) {
     static constexpr std::string_view words[] = {
-        "active", "asm", "atomic_uint", "attribute", "bool", "break", "buffer", "bvec2", "bvec3", "bvec4", "case",
-        "cast", "centroid", "class", "coherent", "common", "const", "continue", "default", "discard", "do", "double",
-        "dvec2", "dvec3", "dvec4", "else", "enum", "extern", "external", "false", "filter", "fixed", "flat", "float",
-        "for", "fvec2", "fvec3", "fvec4", "goto", "half", "highp", "hvec2", "hvec3", "hvec4", "if", "in", "inline",
-        "inout", "input", "int", "interface", "invariant", "ivec2", "ivec3", "ivec4", "layout", "long", "lowp", "mat2",
-        "mat3", "mat4", "mediump", "namespace", "noinline", "noperspective", "out", "output", "partition", "patch",
-        "precise", "precision", "public", "readonly", "resource", "restrict", "return", "sample", "shared", "short",
-        "sizeof", "smooth", "static", "struct", "subroutine", "superp", "switch", "template", "this", "true", "typedef",
-        "uint", "uniform", "union", "unsigned", "using", "uvec2", "uvec3", "uvec4", "varying", "vec2", "vec3", "vec4",
-        "void", "volatile", "while", "writeonly", "real", "rvec2", "rvec3", "rvec4", "OUT", "INOUT", "PRECISE"};
+        "active",        "asm",       "atomic_uint", "attribute",  "bool",     "break",    "buffer",    "bvec2",
+        "bvec3",         "bvec4",     "case",        "cast",       "centroid", "class",    "coherent",  "common",
+        "const",         "continue",  "default",     "discard",    "do",       "double",   "dvec2",     "dvec3",
+        "dvec4",         "else",      "enum",        "extern",     "external", "false",    "filter",    "fixed",
+        "flat",          "float",     "for",         "fvec2",      "fvec3",    "fvec4",    "goto",      "half",
+        "highp",         "hvec2",     "hvec3",       "hvec4",      "if",       "in",       "inline",    "inout",
+        "input",         "int",       "interface",   "invariant",  "ivec2",    "ivec3",    "ivec4",     "layout",
+        "long",          "lowp",      "mat2",        "mat3",       "mat4",     "mediump",  "namespace", "noinline",
+        "noperspective", "out",       "output",      "partition",  "patch",    "precise",  "precision", "public",
+        "readonly",      "resource",  "restrict",    "return",     "sample",   "shared",   "short",     "sizeof",
+        "smooth",        "static",    "struct",      "subroutine", "superp",   "switch",   "template",  "this",
+        "true",          "typedef",   "uint",        "uniform",    "union",    "unsigned", "using",     "uvec2",
+        "uvec3",         "uvec4",     "varying",     "vec2",       "vec3",     "vec4",     "void",      "volatile",
+        "while",         "writeonly", "real",        "rvec2",      "rvec3",    "rvec4",    "OUT",       "INOUT",
+        "PRECISE"};
     return std::find(std::begin(words), std::end(words), name) != std::end(words);
 }
 
@@ -140,9 +145,9 @@ static bool isIdentifier(std::string_view name) {
 // Adds a custom attribute that checkAttribute() has accepted.
 static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
     static constexpr std::string_view members[] = {
-        "position",      "geometricNormal", "alpha",     "alphaCutoff", "hasAlphaNear", "alphaNear", "hasAlphaRows",
-        "alphaRows",     "primitiveSeed",   "draw",      "primitive",   "diffuse",      "specular",  "emissive",
-        "normal",        "alpha2",          "normalDx",  "normalDy",    "samples"};
+        "position",  "geometricNormal", "alpha",    "alphaCutoff", "hasAlphaNear", "alphaNear", "hasAlphaRows",
+        "alphaRows", "primitiveSeed",   "draw",     "primitive",   "diffuse",      "specular",  "emissive",
+        "normal",    "alpha2",          "normalDx", "normalDy",    "samples"};
     require(attribute.name, AGAA_ERROR_LAYOUT, "a custom layout attribute has no name.");
     const std::string name(attribute.name, strnlen(attribute.name, 32));
     if (!isIdentifier(name))
@@ -159,8 +164,8 @@ static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
     for (const CustomAttribute& custom : layout.customs)
         channels += custom.attribute.channels;
     if (channels > AGAA_MAX_CUSTOM_CHANNELS)
-        fail(AGAA_ERROR_LAYOUT, format("the custom attributes have %u channels; %d are the most.", channels,
-                                       AGAA_MAX_CUSTOM_CHANNELS));
+        fail(AGAA_ERROR_LAYOUT,
+             format("the custom attributes have %u channels; %d are the most.", channels, AGAA_MAX_CUSTOM_CHANNELS));
     attribute.name = nullptr; // the host's pointer does not outlive the call
     layout.customs.push_back({name, attribute});
 }
@@ -169,8 +174,8 @@ Layout checkLayout(const AgaaLayout* pointer) {
     const AgaaLayout source = pointer ? readStruct(pointer) : builtinLayout("precise");
     checkReserved(source.reserved, "AgaaLayout::reserved");
     if (source.attributeCount < 2 || source.attributeCount > AGAA_MAX_LAYOUT_ATTRIBUTES)
-        fail(AGAA_ERROR_LAYOUT, format("AgaaLayout::attributeCount is %u; it must be in [2, %d].", source.attributeCount,
-                                       AGAA_MAX_LAYOUT_ATTRIBUTES));
+        fail(AGAA_ERROR_LAYOUT, format("AgaaLayout::attributeCount is %u; it must be in [2, %d].",
+                                       source.attributeCount, AGAA_MAX_LAYOUT_ATTRIBUTES));
     Layout layout;
     for (uint32_t i = 0; i < source.attributeCount; ++i) {
         const AgaaLayoutAttribute& attribute = source.attributes[i];
@@ -183,8 +188,7 @@ Layout checkLayout(const AgaaLayout* pointer) {
             continue;
         }
         if (layout.attributes[attribute.semantic].channels)
-            fail(AGAA_ERROR_LAYOUT,
-                 format("AgaaLayout names %s twice.", semanticName(attribute.semantic)));
+            fail(AGAA_ERROR_LAYOUT, format("AgaaLayout names %s twice.", semanticName(attribute.semantic)));
         checkAttribute(attribute);
         layout.attributes[attribute.semantic] = attribute;
     }
@@ -216,7 +220,8 @@ Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness) {
     if (!(factFlags & AGAA_FACT_EMISSIVE))
         drop(AGAA_SEMANTIC_EMISSIVE);
     require(!(factFlags & AGAA_FACT_NO_DIFFUSE) || layout[AGAA_SEMANTIC_EMISSIVE].channels != 1, AGAA_ERROR_LAYOUT,
-            "AgaaLayout has emission of one channel, a factor of the diffuse albedo, which AGAA_FACT_NO_DIFFUSE leaves out.");
+            "AgaaLayout has emission of one channel, a factor of the diffuse albedo, which AGAA_FACT_NO_DIFFUSE leaves "
+            "out.");
     if (factFlags & AGAA_FACT_NO_DIFFUSE)
         drop(AGAA_SEMANTIC_DIFFUSE);
     return layout;
@@ -232,8 +237,7 @@ Layout twoPassLayout(Layout layout, uint64_t factFlags) {
 }
 
 // Calls visit(attribute, its first channel) for each attribute of the layout.
-template <typename Visit>
-static void forEachAttribute(const Layout& layout, const Visit& visit) {
+template <typename Visit> static void forEachAttribute(const Layout& layout, const Visit& visit) {
     static constexpr uint32_t semantics[] = {
 #define AGAA_ATTRIBUTE(semantic, name)
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) AGAA_SEMANTIC_##attribute,
@@ -265,7 +269,7 @@ static AggregatePacking pack(const Layout& layout, uint32_t samples, bool hasCov
             return;
         for (uint32_t i = 0; i < a.channels; ++i) {
             const bool isChroma = a.encoding == AGAA_ENCODING_YCBCR && i > 0;
-            const uint32_t bits = isChroma                             ? a.chromaBits
+            const uint32_t bits = isChroma                            ? a.chromaBits
                                   : a.aggregateBits == bitsOfHalfWord ? 16 - growth
                                                                       : a.aggregateBits;
             Field& field = packing.fields[first + i];
@@ -279,12 +283,10 @@ static AggregatePacking pack(const Layout& layout, uint32_t samples, bool hasCov
         pieces.push_back({samples, &packing.coverage});
     }
     // First fit, longest first. The pieces are few, so that a better packing would not save a word.
-    std::stable_sort(pieces.begin(), pieces.end(),
-                     [](const Piece& a, const Piece& b) { return a.bits > b.bits; });
+    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.bits > b.bits; });
     std::vector<uint32_t> used;
     for (const Piece& piece : pieces) {
-        auto word = std::find_if(used.begin(), used.end(),
-                                 [&](uint32_t bits) { return bits + piece.bits <= 32; });
+        auto word = std::find_if(used.begin(), used.end(), [&](uint32_t bits) { return bits + piece.bits <= 32; });
         if (word == used.end())
             word = used.insert(used.end(), 0);
         piece.field->word = uint32_t(word - used.begin());
@@ -335,8 +337,7 @@ GBufferPacking packGBuffer(const Layout& layout) {
         const uint32_t capacity = bits == 10 ? 3 : 4;
         uint32_t component = capacity; // next free one of the last attachment
         const auto close = [&] {
-            if (!packing.attachments.empty() && component < capacity &&
-                packing.attachments.back() == Format::None)
+            if (!packing.attachments.empty() && component < capacity && packing.attachments.back() == Format::None)
                 packing.attachments.back() = attachmentFormat(bits, component);
         };
         forEachAttribute(layout, [&](const AgaaLayoutAttribute& a, uint32_t first) {
@@ -357,24 +358,23 @@ GBufferPacking packGBuffer(const Layout& layout) {
         close();
     }
     if (packing.attachments.size() > 4)
-        fail(AGAA_ERROR_LAYOUT, format("the layout needs %zu colour attachments; 4 are the most.",
-                                       packing.attachments.size()));
+        fail(AGAA_ERROR_LAYOUT,
+             format("the layout needs %zu colour attachments; 4 are the most.", packing.attachments.size()));
     return packing;
 }
 
 std::vector<NativeSurface> packNativeAggregate(const Layout& layout) {
     std::vector<NativeSurface> surfaces;
-    const auto rgb = [](uint32_t bits) { return bits <= 8    ? Format::RGBA8
-                                                : bits <= 10 ? Format::RGB10A2
-                                                             : Format::RGB16; };
+    const auto rgb = [](uint32_t bits) {
+        return bits <= 8 ? Format::RGBA8 : bits <= 10 ? Format::RGB10A2 : Format::RGB16;
+    };
     const auto addAttribute = [&](const AgaaLayoutAttribute& a, const std::string& name) {
         if (!a.channels || a.encoding == AGAA_ENCODING_FOLDED)
             return;
         const uint32_t bits = aggregateBitsOf(a);
         if (a.encoding == AGAA_ENCODING_YCBCR) {
             surfaces.push_back({"aggregate-specular-luma", bits <= 8 ? Format::R8 : Format::R16});
-            surfaces.push_back(
-                {"aggregate-specular-chroma", a.chromaBits <= 8 ? Format::RG8 : Format::RG16});
+            surfaces.push_back({"aggregate-specular-chroma", a.chromaBits <= 8 ? Format::RG8 : Format::RG16});
         } else if (a.channels == 1) {
             surfaces.push_back({name, bits <= 8 ? Format::R8 : Format::R16});
         } else if (a.channels == 3) {

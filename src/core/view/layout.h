@@ -48,19 +48,15 @@ struct CustomAttribute {
 struct Layout {
     std::array<AgaaLayoutAttribute, AGAA_SEMANTIC_CUSTOM> attributes{};
     std::vector<CustomAttribute> customs; // channels are numbered in this order
-    bool hasSpecularLight = false; // stored per sample, or the same for all materials
+    bool hasSpecularLight = false;        // stored per sample, or the same for all materials
 
-    const AgaaLayoutAttribute& operator[](AgaaSemantic semantic) const {
-        return attributes[semantic];
-    }
+    const AgaaLayoutAttribute& operator[](AgaaSemantic semantic) const { return attributes[semantic]; }
     bool has(AgaaSemantic semantic) const { return attributes[semantic].channels != 0; }
     bool foldsRoughness() const {
-        return has(AGAA_SEMANTIC_ROUGHNESS) &&
-               attributes[AGAA_SEMANTIC_ROUGHNESS].encoding == AGAA_ENCODING_FOLDED;
+        return has(AGAA_SEMANTIC_ROUGHNESS) && attributes[AGAA_SEMANTIC_ROUGHNESS].encoding == AGAA_ENCODING_FOLDED;
     }
     bool specularIsYCbCr() const {
-        return has(AGAA_SEMANTIC_SPECULAR) &&
-               attributes[AGAA_SEMANTIC_SPECULAR].encoding == AGAA_ENCODING_YCBCR;
+        return has(AGAA_SEMANTIC_SPECULAR) && attributes[AGAA_SEMANTIC_SPECULAR].encoding == AGAA_ENCODING_YCBCR;
     }
     float emissiveRange() const {
         return has(AGAA_SEMANTIC_EMISSIVE) ? attributes[AGAA_SEMANTIC_EMISSIVE].range : 1.0f;

@@ -25,11 +25,23 @@ constexpr uint64_t decidedMeasurement = AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_M
                                         AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_NO_DIFFUSE_FILTER;
 
 constexpr Preset presets[] = {
-    {.name = "paper", .seeds = AGAA_SEEDS_SUM_OF_SQUARES, .flags = AGAA_CONFIG_SPLIT_SURFACES,
+    {.name = "paper",
+     .seeds = AGAA_SEEDS_SUM_OF_SQUARES,
+     .flags = AGAA_CONFIG_SPLIT_SURFACES,
      .measurementFlags = AGAA_MEASURE_SHADOW_ALONG_DEPTH},
     {.name = "fast", .aggregates = 1},
-    {.name = "balanced", .aggregates = 4, .threshold = 0.4f, .litShadows = 1, .glossWeight = 0.5f, .ndf = AGAA_NDF_LEAN},
-    {.name = "accurate", .aggregates = 4, .threshold = 0.1f, .litShadows = 1, .glossWeight = 0.5f, .ndf = AGAA_NDF_LEAN,
+    {.name = "balanced",
+     .aggregates = 4,
+     .threshold = 0.4f,
+     .litShadows = 1,
+     .glossWeight = 0.5f,
+     .ndf = AGAA_NDF_LEAN},
+    {.name = "accurate",
+     .aggregates = 4,
+     .threshold = 0.1f,
+     .litShadows = 1,
+     .glossWeight = 0.5f,
+     .ndf = AGAA_NDF_LEAN,
      .flags = AGAA_CONFIG_FINE_MATERIALS},
 };
 

@@ -33,8 +33,9 @@ void stripUnusedFeatures(ResolvedView& view, const Technique& technique) {
         view.aggregation.glossWeight = 0;
     const uint32_t lit = view.aggregation.litShadows & ((1u << view.facts.shadowMapCount) - 1);
     if (lit != view.aggregation.litShadows)
-        view.notes.push_back("lit aggregates: AgaaAggregation::litShadows names shadows that AgaaSceneFacts does not declare; "
-                             "they are left out.");
+        view.notes.push_back(
+            "lit aggregates: AgaaAggregation::litShadows names shadows that AgaaSceneFacts does not declare; "
+            "they are left out.");
     view.aggregation.litShadows = lit;
 }
 
@@ -42,18 +43,21 @@ void checkFacts(const ResolvedView& view, const Technique& technique) {
     const uint64_t refused = view.facts.flags & ~technique.facts;
     if (refused & AGAA_FACT_CUSTOM_DEPTH)
         fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" does not take materials that write depth or discard on their own "
-                                            "(AGAA_FACT_CUSTOM_DEPTH).", technique.name));
+                                            "(AGAA_FACT_CUSTOM_DEPTH).",
+                                            technique.name));
     if (refused)
-        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" does not take the bits 0x%llx of AgaaSceneFacts::flags.", technique.name,
-                                            static_cast<unsigned long long>(refused)));
+        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" does not take the bits 0x%llx of AgaaSceneFacts::flags.",
+                                            technique.name, static_cast<unsigned long long>(refused)));
 }
 
 void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const AgaaDeviceCaps& caps) {
     if (technique.countsCoverage(view.config.generationTier, view.samples)) {
         const uint32_t forced = view.config.visibilityTier;
         if (forced != AGAA_TIER_AUTO && forced != AGAA_TIER_NATIVE)
-            fail(AGAA_ERROR_UNSUPPORTED, format("visibility cannot run: coverage samples of \"%s\" are found by edges, so that "
-                                                "the tier %s is not for them.", technique.name, agaaTierName(forced)));
+            fail(AGAA_ERROR_UNSUPPORTED,
+                 format("visibility cannot run: coverage samples of \"%s\" are found by edges, so that "
+                        "the tier %s is not for them.",
+                        technique.name, agaaTierName(forced)));
         if (!view.coveragePositions.empty())
             view.samplePositions = view.coveragePositions;
         view.notes.push_back("visibility: " + coverageByEdges(view.samples).reason);
@@ -112,18 +116,21 @@ void chooseGenerationTier(ResolvedView& view, const Technique& technique, const 
 void checkTierOptions(const ResolvedView& view, const Technique& technique) {
     const AgaaConfig& config = view.config;
     const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
-    require(view.aggregation.glossWeight == 0 || view.knowsMaterials(), AGAA_ERROR_UNSUPPORTED,
-            "AgaaAggregation::glossWeight needs the tier ids, fragments or gbuffer, which know materials when they group "
-            "samples.");
+    require(
+        view.aggregation.glossWeight == 0 || view.knowsMaterials(), AGAA_ERROR_UNSUPPORTED,
+        "AgaaAggregation::glossWeight needs the tier ids, fragments or gbuffer, which know materials when they group "
+        "samples.");
     require(view.aggregation.litShadows == 0 || (view.knowsMaterials() && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaAggregation::litShadows needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED, which know "
+            "AgaaAggregation::litShadows needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED, "
+            "which know "
             "materials and shadows in one pass.");
-    require(config.ndf <= AGAA_NDF_TOKSVIG || (view.knowsMaterials() && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, "
-            "whose spread is not kept in memory.");
+    require(
+        config.ndf <= AGAA_NDF_TOKSVIG || (view.knowsMaterials() && !buffered), AGAA_ERROR_UNSUPPORTED,
+        "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, "
+        "whose spread is not kept in memory.");
     const uint32_t shown = view.measurement.debugView;
-    const bool showsAggregates = shown == AGAA_DEBUG_VIEW_AGGREGATES || shown == AGAA_DEBUG_VIEW_CLUSTERS ||
-                                 shown == AGAA_DEBUG_VIEW_WIDENED;
+    const bool showsAggregates =
+        shown == AGAA_DEBUG_VIEW_AGGREGATES || shown == AGAA_DEBUG_VIEW_CLUSTERS || shown == AGAA_DEBUG_VIEW_WIDENED;
     require(!showsAggregates || technique.maxAggregates, AGAA_ERROR_UNSUPPORTED,
             "AgaaMeasurement::debugView shows aggregates, of which this technique makes none.");
     require(shown != AGAA_DEBUG_VIEW_WIDENED || !view.layout.foldsRoughness(), AGAA_ERROR_UNSUPPORTED,

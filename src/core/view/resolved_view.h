@@ -15,11 +15,11 @@ struct ResolvedView : ViewSettings {
     explicit ResolvedView(const ViewSettings& settings) : ViewSettings(settings) {}
 
     AgaaTier visibilityTier = AGAA_TIER_NATIVE;
-    uint32_t hwSamples = 1;             // samples per texel of the target
-    uint32_t scaleX = 1, scaleY = 1;    // texels of the target per pixel
-    AgaaTier generationTier = AGAA_TIER_AUTO;    // AUTO: the technique has no generation stage
-    const GenerationTier* generation = nullptr;  // the row of generationTier, or null
-    std::vector<std::string> notes;     // why tiers were chosen and settings ignored, one sentence each
+    uint32_t hwSamples = 1;                     // samples per texel of the target
+    uint32_t scaleX = 1, scaleY = 1;            // texels of the target per pixel
+    AgaaTier generationTier = AGAA_TIER_AUTO;   // AUTO: the technique has no generation stage
+    const GenerationTier* generation = nullptr; // the row of generationTier, or null
+    std::vector<std::string> notes;             // why tiers were chosen and settings ignored, one sentence each
 
     bool knowsMaterials() const { return generation && generation->knowsMaterials; }
     bool countsPrimitives() const { return generation && generation->countsPrimitives; }

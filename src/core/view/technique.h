@@ -45,12 +45,12 @@ struct TierAnswer {
 // A method to generate aggregates. src/core/plan/techniques/generation_tiers.cpp has the rows.
 struct GenerationTier {
     AgaaTier tier;
-    float relativeCost = 1;        // of whole frames, against post-depth atomics
-    bool isAutomatic = false;      // AUTO may select it
-    bool isModel = false;          // it is priced and never run
-    bool knowsMaterials = false;   // when samples are grouped
+    float relativeCost = 1;      // of whole frames, against post-depth atomics
+    bool isAutomatic = false;    // AUTO may select it
+    bool isModel = false;        // it is priced and never run
+    bool knowsMaterials = false; // when samples are grouped
     bool countsPrimitives = false;
-    bool readsGBuffer = false;     // samples are grouped from a G-buffer
+    bool readsGBuffer = false; // samples are grouped from a G-buffer
     // n counts coverage samples, 32, 64 or 128, that the tier finds by itself. Targets have one sample.
     bool hasCoverageSamples = false;
     TierAnswer (*answer)(const GenerationQuery& query);

@@ -27,9 +27,8 @@ static VisibilityChoice scaledTarget(const AgaaDeviceCaps& caps, uint32_t sample
         choice.hwSamples = hw;
         choice.tier = AGAA_TIER_SCALED_TARGET;
         choice.relativeCost = 1; // 0.9 to 1.0 of native at n = 4 on lavapipe
-        choice.reason =
-            format("a target of %ux%u sub-pixels at %u samples each gives %u per pixel.",
-                   choice.scaleX, choice.scaleY, hw, samples);
+        choice.reason = format("a target of %ux%u sub-pixels at %u samples each gives %u per pixel.", choice.scaleX,
+                               choice.scaleY, hw, samples);
         return choice;
     }
     choice.reason = format("%u samples cannot be made of the device's sample counts.", samples);
@@ -123,9 +122,8 @@ GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery qu
     return choice;
 }
 
-static AgaaCapability capability(const Technique& technique, uint32_t samples, AgaaStage stage,
-                                 AgaaTier tier, bool native, float cost,
-                                 const std::string& reason) {
+static AgaaCapability capability(const Technique& technique, uint32_t samples, AgaaStage stage, AgaaTier tier,
+                                 bool native, float cost, const std::string& reason) {
     AgaaCapability row = AGAA_CAPABILITY_INIT;
     row.technique = technique.name;
     row.samples = samples;
@@ -190,8 +188,9 @@ void addVisibility(std::vector<AgaaCapability>& rows, const Technique& technique
 void addGeneration(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples,
                    const GenerationQuery& query) {
     for (const GenerationChoice& choice : generationChoices(technique, query))
-        rows.push_back(capability(technique, samples, AGAA_STAGE_GENERATION, choice.row ? choice.row->tier : AGAA_TIER_AUTO,
-                                  false, choice.row ? choice.row->relativeCost : 0, choice.reason));
+        rows.push_back(capability(technique, samples, AGAA_STAGE_GENERATION,
+                                  choice.row ? choice.row->tier : AGAA_TIER_AUTO, false,
+                                  choice.row ? choice.row->relativeCost : 0, choice.reason));
 }
 
 void addShading(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples) {
@@ -211,7 +210,8 @@ void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& c
             other.tier != AGAA_TIER_AUTO && other.tier != visibility.tier)
             addVisibility(rows, technique, samples, other);
     if (technique.maxAggregates)
-        rows.push_back(capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
+        rows.push_back(
+            capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
     if (!technique.tiers.empty())
         addGeneration(rows, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples});
     addShading(rows, technique, samples);

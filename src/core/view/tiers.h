@@ -19,7 +19,8 @@ struct VisibilityChoice {
 };
 // Returns the texels across a pixel of an ordered grid of n samples, or 0 if there is no such grid.
 uint32_t gridSide(uint32_t samples);
-VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced, bool prefersGrid = false);
+VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced,
+                                  bool prefersGrid = false);
 
 // Returns the choice for techniques that compute coverage from the edges of triangles. It runs on all devices.
 VisibilityChoice coverageByEdges(uint32_t samples);

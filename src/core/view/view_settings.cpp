@@ -26,8 +26,7 @@ static void readMeasurement(const AgaaConfig& config, ViewSettings& view) {
     checkReserved(m.reserved, "AgaaMeasurement::reserved");
     checkFlags(m.flags,
                AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
-                   AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING |
-                   AGAA_MEASURE_NO_LIGHT_CULLING,
+                   AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING,
                "AgaaMeasurement::flags");
 }
 
@@ -74,14 +73,15 @@ static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint3
     const bool isEither = generationTier == AGAA_TIER_AUTO && technique.maxSamples > 0;
     if (samples != 32 && samples != 64 && samples != 128)
         fail(AGAA_ERROR_OUT_OF_RANGE,
-             format("AgaaConfig::samples is %u; \"%s\" takes %s32, 64 or 128 coverage samples.", samples, technique.name,
-                    isEither ? "1, 2, 4, 8, 16 or 32 samples, or " : ""));
+             format("AgaaConfig::samples is %u; \"%s\" takes %s32, 64 or 128 coverage samples.", samples,
+                    technique.name, isEither ? "1, 2, 4, 8, 16 or 32 samples, or " : ""));
     return samples;
 }
 
 static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
-    const AgaaViewDesc desc = readStruct(pointer, {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION,
-                                                   AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
+    const AgaaViewDesc desc =
+        readStruct(pointer, {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION,
+                             AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
     checkFlags(desc.flags,
@@ -137,8 +137,8 @@ static void readGBufferFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     if (!function)
         return;
     checkReserved(function->reserved, "AgaaGBufferFunction::reserved");
-    require(function->depthBits == 0 || function->depthBits == 16 || function->depthBits == 24,
-            AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::depthBits is not one of 0, 16, 24.");
+    require(function->depthBits == 0 || function->depthBits == 16 || function->depthBits == 24, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaGBufferFunction::depthBits is not one of 0, 16, 24.");
     for (uint32_t i = 0; function->samplePositions && i < 2 * view.samples; ++i)
         require(function->samplePositions[i] >= 0 && function->samplePositions[i] < 1, AGAA_ERROR_OUT_OF_RANGE,
                 "AgaaGBufferFunction::samplePositions holds a place outside the pixel, [0;1).");

@@ -23,7 +23,7 @@ struct ViewSettings {
     bool composite = false; // over the contents of the output
     bool clipZFromMinusOne = false;
     bool vertexPulling = false; // the host's vertex shaders expand triangles
-    AgaaConfig config{}; // technique: static storage; layout: null
+    AgaaConfig config{};        // technique: static storage; layout: null
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT; // samplePositions: null
     std::vector<float> coveragePositions; // x and y of each, if the host sets the positions of coverage samples
@@ -31,21 +31,21 @@ struct ViewSettings {
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
     AgaaSceneFacts facts{};        // announced by the host; they determine layouts, tiers, resources and draw passes
     AgaaSceneFacts variantFacts{}; // within `facts`; they determine the constants and switches of compute passes
-    Layout layout; // of the host; resolveForDevice() removes attributes that the facts do not need
-    uint32_t samples = 1;    // at most Technique::maxSamples
-    uint32_t aggregates = 0; // 0: the technique has no aggregates
+    Layout layout;                 // of the host; resolveForDevice() removes attributes that the facts do not need
+    uint32_t samples = 1;          // at most Technique::maxSamples
+    uint32_t aggregates = 0;       // 0: the technique has no aggregates
 
     uint32_t functionShadows = 0; // bit i: the host's function looks up shadow i
     HostText shadowFunction;
-    bool hostGBuffer = false;     // the host draws the G-buffer; gbufferFunction reads its samples
+    bool hostGBuffer = false; // the host draws the G-buffer; gbufferFunction reads its samples
     HostText gbufferFunction;
-    std::vector<float> samplePositions; // x and y of each sample, if the host sets them
-    uint32_t depthBits = 0;             // of the host's fixed-point depth buffer; 0: it has floats
+    std::vector<float> samplePositions;       // x and y of each sample, if the host sets them
+    uint32_t depthBits = 0;                   // of the host's fixed-point depth buffer; 0: it has floats
     uint32_t maxDraws = 0, maxPrimitives = 0; // that ids distinguish; 0: materials are not fetched by id
-    uint32_t primitiveBits = 0;         // low bits of an id that number the primitive
-    bool someUnfetched = false;         // draws that cannot be fetched go into a G-buffer
+    uint32_t primitiveBits = 0;               // low bits of an id that number the primitive
+    bool someUnfetched = false;               // draws that cannot be fetched go into a G-buffer
     HostText fetchFunction;
-    uint64_t functionSetLayout = 0;     // of set 1 in passes with GLSL of the host
+    uint64_t functionSetLayout = 0; // of set 1 in passes with GLSL of the host
 };
 
 // Changes n and c of a view. A technique without aggregates has none, and no view has more aggregates than samples.

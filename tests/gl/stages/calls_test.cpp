@@ -18,8 +18,7 @@ void GLAD_API_PTR memoryBarrier(GLbitfield bits) {
     barriers |= bits;
     real().MemoryBarrier(bits);
 }
-void GLAD_API_PTR clearBuffer(GLuint buffer, GLenum internalFormat, GLenum format, GLenum type,
-                              const void* data) {
+void GLAD_API_PTR clearBuffer(GLuint buffer, GLenum internalFormat, GLenum format, GLenum type, const void* data) {
     clearedBehindBarrier &= (barriers & GL_BUFFER_UPDATE_BARRIER_BIT) != 0;
     real().ClearNamedBufferData(buffer, internalFormat, format, type, data);
 }
@@ -180,8 +179,8 @@ TEST(GlCalls, AContextWhoseObjectsFailIsNotCreated) {
     replace(replaced, "glCreateSamplers", createSamplers);
     replace(replaced, "glDeleteSamplers", deleteSamplers);
     replace(replaced, "glGetError", errorOnceSamplersAreMade);
-    for (const auto& [error, result] : {std::pair{GL_OUT_OF_MEMORY, AGAA_ERROR_OUT_OF_MEMORY},
-                                        std::pair{GL_INVALID_OPERATION, AGAA_ERROR_DEVICE}}) {
+    for (const auto& [error, result] :
+         {std::pair{GL_OUT_OF_MEMORY, AGAA_ERROR_OUT_OF_MEMORY}, std::pair{GL_INVALID_OPERATION, AGAA_ERROR_DEVICE}}) {
         hasMadeSamplers = false;
         samplersAlive = 0;
         errorOfObjects = GLenum(error);

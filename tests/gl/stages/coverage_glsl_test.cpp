@@ -1,5 +1,5 @@
-// The GLSL that hosts get for G-buffers that they draw themselves (agaaGetCoverageGlsl), in a program that knows nothing
-// else of the library, against what the library's own passes cover.
+// The GLSL that hosts get for G-buffers that they draw themselves (agaaGetCoverageGlsl), in a program that knows
+// nothing else of the library, against what the library's own passes cover.
 #include "show.h"
 
 #include "gl/objects.h"
@@ -101,7 +101,8 @@ std::vector<double> shaded(const char* surface) {
         triangles.push_back(t);
     }
     const Shown shown = show(context, settings, {.triangles = triangles, .change = [](AgaaFrame& frame) {
-                                                     frame.background[0] = frame.background[1] = frame.background[2] = 0;
+                                                     frame.background[0] = frame.background[1] = frame.background[2] =
+                                                         0;
                                                  }});
     std::vector<double> coverage;
     for (size_t i = 0; i < shown.rgb.size(); i += 3)
@@ -122,10 +123,10 @@ TEST(GlCoverageGlsl, CutoutsCoverTheSamplesOfTheLibrarysPasses) {
     const std::vector<double> expected =
         shaded("precise vec3 at = AGAA_AT_CENTRE(position); precise float a = 25.9 - length(at.xy - vec2(48.3, 31.9)); "
                "s.alpha = a; s.alphaCutoff = 0.5;");
-    const std::vector<double> own = drawn(
-        std::string("    precise float alpha = 25.9 - length(gl_FragCoord.xy - vec2(48.3, 31.9));\n"
-                    "    vec2 gradient = vec2(dFdxFine(alpha), dFdyFine(alpha));\n") +
-        loop + "agaa_isInCutout(alpha, 0.5, gradient, samplePosition[i] - 0.5) ? 1 << i : 0;\n");
+    const std::vector<double> own =
+        drawn(std::string("    precise float alpha = 25.9 - length(gl_FragCoord.xy - vec2(48.3, 31.9));\n"
+                          "    vec2 gradient = vec2(dFdxFine(alpha), dFdyFine(alpha));\n") +
+              loop + "agaa_isInCutout(alpha, 0.5, gradient, samplePosition[i] - 0.5) ? 1 << i : 0;\n");
     double whole = 0;
     for (const double c : expected)
         whole += c;
@@ -139,20 +140,21 @@ TEST(GlCoverageGlsl, FourPointsCoverTheSamplesOfTheLibrarysPasses) {
     const std::string surface =
         "precise vec3 at = AGAA_AT_CENTRE(position); s.alpha = 1.0; s.alphaCutoff = 0.5; s.hasAlphaNear = true; "
         "for (uint k = 0u; k < AGAA_ALPHA_POINTS; ++k) { precise vec2 p = at.xy + agaa_alphaPoint(k); "
-        "precise float b = " + alphaAt + "; s.alphaNear[k] = b; }";
-    const std::vector<double> own =
-        drawn("    vec4 near;\n    for (int k = 0; k < 4; ++k) {\n"
-              "        precise vec2 p = gl_FragCoord.xy + vec2(k & 1, k >> 1) * 0.5 - 0.25;\n        precise float b = " +
-              alphaAt + ";\n        near[k] = b;\n    }\n" + loop +
-              "agaa_isInCutout4(near, 0.5, samplePosition[i] - 0.5) ? 1 << i : 0;\n");
+        "precise float b = " +
+        alphaAt + "; s.alphaNear[k] = b; }";
+    const std::vector<double> own = drawn(
+        "    vec4 near;\n    for (int k = 0; k < 4; ++k) {\n"
+        "        precise vec2 p = gl_FragCoord.xy + vec2(k & 1, k >> 1) * 0.5 - 0.25;\n        precise float b = " +
+        alphaAt + ";\n        near[k] = b;\n    }\n" + loop +
+        "agaa_isInCutout4(near, 0.5, samplePosition[i] - 0.5) ? 1 << i : 0;\n");
     EXPECT_LT(largestDifference(own, shaded(surface.c_str())), 5e-3);
 }
 
 TEST(GlCoverageGlsl, TranslucentSurfacesCoverTheirShare) {
     for (const double alpha : {0.05, 0.3}) {
-        const std::vector<double> own = drawn(
-            "    uvec2 pixel = uvec2(gl_FragCoord.xy);\n    int mask = int(agaa_translucentMask(" + std::to_string(alpha) +
-            ", 4u, 0u, 1u, agaa_translucencyHash(pixel.x, pixel.y, 7u, 0u)));\n");
+        const std::vector<double> own =
+            drawn("    uvec2 pixel = uvec2(gl_FragCoord.xy);\n    int mask = int(agaa_translucentMask(" +
+                  std::to_string(alpha) + ", 4u, 0u, 1u, agaa_translucencyHash(pixel.x, pixel.y, 7u, 0u)));\n");
         double mean = 0;
         for (const double c : own)
             mean += c / double(own.size());

@@ -62,7 +62,7 @@ public:
         text += "    m.alpha2 = " + channel(ChannelRoughness) + ";\n";
         text += format("    m.emissive = %f * ", double(plan_.view.layout.emissiveRange())) +
                 (plan_.view.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1 ? channel(ChannelEmissiveR) + " * m.diffuse"
-                                                                    : channels(ChannelEmissiveR)) +
+                                                                         : channels(ChannelEmissiveR)) +
                 ";\n    return true;\n}\n";
         return text;
     }
@@ -76,8 +76,8 @@ private:
 struct GBufferHost : OpenGLHost {
     using Samples = TextureSamples;
     static constexpr uint32_t shadowMaps = 1;
-    static constexpr GBufferRow rows[] = {{"single", 1},         {"ssaa", 4}, {"ssaa", 8}, {"simple_complex", 4},
-                                          {"simple_complex", 8}, {"sbaa", 4}, {"sbaa", 8}, {"agaa", 4},
+    static constexpr GBufferRow rows[] = {{"single", 1},         {"ssaa", 4},     {"ssaa", 8},    {"simple_complex", 4},
+                                          {"simple_complex", 8}, {"sbaa", 4},     {"sbaa", 8},    {"agaa", 4},
                                           {"agaa", 8},           {"adaptive", 4}, {"adaptive", 8}};
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HostGBufferCases, GBufferHost);
@@ -85,7 +85,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HostGBufferCases, GBufferHost);
 TEST(GlHostGBuffer, HasNoSetLayout) {
     StageContext context;
     AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
-    function.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
+    function.glsl =
+        "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
     function.descriptorSetLayout = 1;
     ViewSettings settings;
     settings.chained = &function;

@@ -76,8 +76,10 @@ TEST(GlLifetime, ViewsAndContextsDoNotDisturbEachOther) {
 
 // Outputs that the host declares are not read.
 TEST(GlMisuse, AttachmentsOfHostOutputsAreNotRead) {
-    StageContext context(OpenGLHost::changed([](OpenGLContextDesc& desc) { desc.device.outputs = AGAA_GL_OUTPUTS_HOST; }));
-    const std::string reason = expectRefused(context, dcaaSettings(64, 1, AGAA_TIER_RASTER_ORDER), AGAA_ERROR_UNSUPPORTED, "outputs");
+    StageContext context(
+        OpenGLHost::changed([](OpenGLContextDesc& desc) { desc.device.outputs = AGAA_GL_OUTPUTS_HOST; }));
+    const std::string reason =
+        expectRefused(context, dcaaSettings(64, 1, AGAA_TIER_RASTER_ORDER), AGAA_ERROR_UNSUPPORTED, "outputs");
     EXPECT_NE(reason.find("AGAA_GL_OUTPUTS_SDK"), std::string::npos) << reason;
 }
 

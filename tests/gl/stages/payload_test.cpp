@@ -61,15 +61,14 @@ uint64_t bytesOf(GLenum format) {
 
 const GladGLContext& real() { return sharedEgl().gl(); }
 
-void GLAD_API_PTR textureStorage(GLuint texture, GLsizei levels, GLenum format, GLsizei width,
-                                 GLsizei height) {
+void GLAD_API_PTR textureStorage(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height) {
     EXPECT_EQ(levels, 1);
     created.imageBytes += uint64_t(width) * uint64_t(height) * bytesOf(format);
     real().TextureStorage2D(texture, levels, format, width, height);
 }
 
-void GLAD_API_PTR textureStorageMultisample(GLuint texture, GLsizei samples, GLenum format,
-                                            GLsizei width, GLsizei height, GLboolean fixed) {
+void GLAD_API_PTR textureStorageMultisample(GLuint texture, GLsizei samples, GLenum format, GLsizei width,
+                                            GLsizei height, GLboolean fixed) {
     created.imageBytes += uint64_t(width) * uint64_t(height) * uint64_t(samples) * bytesOf(format);
     real().TextureStorage2DMultisample(texture, samples, format, width, height, fixed);
 }
@@ -137,14 +136,14 @@ void GLAD_API_PTR deleteShader(GLuint name) {
 }
 
 // Kinds whose create and delete calls have the same form.
-#define AGAA_TEST_KIND(Kind, kind)                                            \
-    void GLAD_API_PTR create##Kind(GLsizei count, GLuint* names) {            \
-        real().Create##Kind(count, names);                                    \
-        born(kind, count, names);                                             \
-    }                                                                         \
-    void GLAD_API_PTR delete##Kind(GLsizei count, const GLuint* names) {      \
-        gone(kind, count, names);                                             \
-        real().Delete##Kind(count, names);                                    \
+#define AGAA_TEST_KIND(Kind, kind)                                                                                     \
+    void GLAD_API_PTR create##Kind(GLsizei count, GLuint* names) {                                                     \
+        real().Create##Kind(count, names);                                                                             \
+        born(kind, count, names);                                                                                      \
+    }                                                                                                                  \
+    void GLAD_API_PTR delete##Kind(GLsizei count, const GLuint* names) {                                               \
+        gone(kind, count, names);                                                                                      \
+        real().Delete##Kind(count, names);                                                                             \
     }
 AGAA_TEST_KIND(Buffers, "buffer")
 AGAA_TEST_KIND(Framebuffers, "framebuffer")

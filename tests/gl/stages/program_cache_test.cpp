@@ -214,7 +214,8 @@ TEST_F(GlPrograms, WhatTheDriverDoesNotLoadIsCompiled) {
             if (pass.kind == PassKind::Compute) {
                 const ProgramCache::Key key = ProgramCache::keyOf(passGlslForOpenGl(pass, 450));
                 const bool isThere = context.programs.find(key) != nullptr;
-                context.programs.set(isThere ? key : ProgramCache::keyOf(passGlslForOpenGl(pass, 430)), {format, bytesOf("no program")});
+                context.programs.set(isThere ? key : ProgramCache::keyOf(passGlslForOpenGl(pass, 430)),
+                                     {format, bytesOf("no program")});
                 format = 1; // no format at all
             }
         ASSERT_EQ(context.programs.size(), 2u);

@@ -15,8 +15,7 @@ inline AgaaGlFunction AGAA_CALL replacedProcAddr(void* user, const char* name) {
     return found == replaced.end() ? EglContext::getProcAddr(nullptr, name) : found->second;
 }
 
-template <class Function>
-void replace(Replaced& replaced, const char* name, Function* function) {
+template <class Function> void replace(Replaced& replaced, const char* name, Function* function) {
     replaced[name] = reinterpret_cast<AgaaGlFunction>(function);
 }
 

@@ -49,9 +49,7 @@ std::vector<float> byFunction(ViewSettings settings, float depth) {
     return picture;
 }
 
-double sum(const std::vector<float>& picture) {
-    return std::accumulate(picture.begin(), picture.end(), 0.0);
-}
+double sum(const std::vector<float>& picture) { return std::accumulate(picture.begin(), picture.end(), 0.0); }
 
 TEST(GlShadowFunction, ShowsWhatTheSameMapShows) {
     for (const char* technique : {"single", "ssaa", "simple_complex", "sbaa", "agaa", "adaptive"}) {
@@ -99,24 +97,23 @@ TEST(GlFrames, CompositeOverATextureWithoutMipLevels) {
     const auto count = GLsizei(4 * settings.width * settings.height);
     const std::vector<float> below(size_t(count), 0.5f);
     const auto render = [&](GLuint output) {
-        gl.TextureSubImage2D(output, 0, 0, 0, GLsizei(settings.width), GLsizei(settings.height),
-                             GL_RGBA, GL_FLOAT, below.data());
+        gl.TextureSubImage2D(output, 0, 0, 0, GLsizei(settings.width), GLsizei(settings.height), GL_RGBA, GL_FLOAT,
+                             below.data());
         AgaaFrame frame = bench.frame();
         frame.background[3] = 0;
         AgaaGlFrame glFrame = bench.glFrame();
         glFrame.outputTexture = output;
         bench.view.render(frame, glFrame);
         std::vector<float> texels(below.size());
-        gl.GetTextureImage(output, 0, GL_RGBA, GL_FLOAT, count * GLsizei(sizeof(float)),
-                           texels.data());
+        gl.GetTextureImage(output, 0, GL_RGBA, GL_FLOAT, count * GLsizei(sizeof(float)), texels.data());
         return texels;
     };
     GLuint name = 0;
     gl.GenTextures(1, &name);
     const harness::gl::Texture output(gl, name);
     gl.BindTexture(GL_TEXTURE_2D, name);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height), 0,
-                  GL_RGBA, GL_FLOAT, nullptr);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height), 0, GL_RGBA, GL_FLOAT,
+                  nullptr);
     gl.BindTexture(GL_TEXTURE_2D, 0);
     gl.TextureParameteri(name, GL_TEXTURE_MAX_LEVEL, 3);
     EXPECT_EQ(render(name), render(bench.view.output().get()));

@@ -37,7 +37,8 @@ void IdsView::bind(AgaaGlFrame&) const {
 
 FunctionBuffer::FunctionBuffer(const std::vector<glm::vec4>& data)
     : buffer_(harness::gl::createBuffer(sharedEgl().gl())) {
-    sharedEgl().gl().NamedBufferData(buffer_.get(), GLsizeiptr(data.size() * sizeof data[0]), data.data(), GL_STATIC_DRAW);
+    sharedEgl().gl().NamedBufferData(buffer_.get(), GLsizeiptr(data.size() * sizeof data[0]), data.data(),
+                                     GL_STATIC_DRAW);
 }
 
 FunctionBuffer::~FunctionBuffer() { sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, 0); }

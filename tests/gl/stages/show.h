@@ -49,8 +49,7 @@ struct OpenGLHost {
     static constexpr bool runsAll = false;
 
     // Of a context that change(desc) changes.
-    template <class Change>
-    static OpenGLContextDesc changed(const Change& change) {
+    template <class Change> static OpenGLContextDesc changed(const Change& change) {
         OpenGLContextDesc desc = contextDesc();
         change(desc);
         return desc;
@@ -63,8 +62,7 @@ struct OpenGLHost {
         return test::shadowMap(context.egl().gl(), depth);
     }
     static void setShadowMap(Frame& frame, const ShadowMap& map) { frame.shadowTextures[0] = map.get(); }
-    template <class Work>
-    static void run(const View& view, const Work& work) {
+    template <class Work> static void run(const View& view, const Work& work) {
         Frame frame = view.glFrame();
         work(frame);
         sharedEgl().gl().Finish();

@@ -36,8 +36,8 @@ void main() {
 }
 )";
 
-// Of passes with AgaaDrawPass::glslVertex, in place of vertexText: an instance is a triangle, and its vertices are 23 floats
-// each.
+// Of passes with AgaaDrawPass::glslVertex, in place of vertexText: an instance is a triangle, and its vertices are 23
+// floats each.
 constexpr const char* pullingText = R"(
 layout(std430, binding = 6) readonly buffer Vertices { float words[]; } vertices;
 uniform mat4 clip;
@@ -229,14 +229,17 @@ StageView::~StageView() {
 
 Program StageView::program(const AgaaDrawPass& pass, bool isMasked) const {
     const std::string version = versionLine(glslVersion(gl_)), defines = shaderDefines(settings_, pass.pass, isMasked);
-    return Program(gl_,
-                   pass.glslVertex ? rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslVertex +
-                                                                      pullingText)
-                                   : version + defines + vertexText,
-                   rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText), pass.name,
-                   pass.glslGeometry ? rasterisedInOrder(settings_, version + pass.glslExtensions + pass.glslGeometry +
-                                                         (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText))
-                                     : "");
+    return Program(
+        gl_,
+        pass.glslVertex
+            ? rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslVertex + pullingText)
+            : version + defines + vertexText,
+        rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText),
+        pass.name,
+        pass.glslGeometry
+            ? rasterisedInOrder(settings_, version + pass.glslExtensions + pass.glslGeometry +
+                                               (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText))
+            : "");
 }
 
 void StageView::setTriangles(const std::vector<Triangle>& triangles) {
@@ -247,9 +250,8 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
             vertices.back().material.geometricNormal.w = float(triangles[i].seed ? triangles[i].seed : uint32_t(i));
         }
     gl_.NamedBufferData(vertices_.get(), GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STATIC_DRAW);
-    for (uint32_t pass :
-         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD,
-          AGAA_DRAW_PASS_FRAGMENTS})
+    for (uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER,
+                          AGAA_DRAW_PASS_FORWARD, AGAA_DRAW_PASS_FRAGMENTS})
         runs_[pass] = drawRuns(settings_, triangles, pass);
 }
 
@@ -312,8 +314,8 @@ std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
     std::vector<uint32_t> words(resource.bytes / 4);
     if (resource.kind == ResourceKind::Image) {
         gl_.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-        gl_.GetTextureImage((*executor().resources)[id].texture, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(4 * words.size()),
-                            words.data());
+        gl_.GetTextureImage((*executor().resources)[id].texture, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                            GLsizei(4 * words.size()), words.data());
         return byPixels(resource, words);
     }
     gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -85,7 +85,7 @@ public:
 
     std::map<uint32_t, AgaaResult> drawResults; // of the callback, by pass; each call counts
     uint32_t drawCalls = 0;
-    std::vector<uint32_t> batches; // of the calls
+    std::vector<uint32_t> batches;     // of the calls
     std::vector<AgaaDrawState> states; // of the calls
 
 private:

@@ -152,8 +152,7 @@ FrameHost::FrameHost(const EglContext& egl, const FrameSettings& settings, AgaaG
     desc.popState = pop;
     desc.stateUser = this;
     desc.constants = settings.constants;
-    desc.bindings[AGAA_GL_BINDING_FRAME] =
-        settings.constants == AGAA_GL_CONSTANTS_TEXELS ? kFrameUnit : kFrameBinding;
+    desc.bindings[AGAA_GL_BINDING_FRAME] = settings.constants == AGAA_GL_CONSTANTS_TEXELS ? kFrameUnit : kFrameBinding;
     desc.bindings[AGAA_GL_BINDING_METADATA] = kMetadataUnit;
     desc.bindings[AGAA_GL_BINDING_AGGREGATES] = kAggregatesBinding;
     desc.bindings[AGAA_GL_BINDING_COUNTERS] = kCountersBinding;
@@ -221,8 +220,7 @@ uint32_t FrameHost::program(const AgaaDrawPass& pass) {
     const GLuint made = gl_.CreateProgram();
     attach(gl_, made, GL_VERTEX_SHADER, kVertexShader);
     attach(gl_, made, GL_FRAGMENT_SHADER,
-           std::string("#version 450\n") + pass.glslExtensions + pass.glslDeclarations +
-               kFragmentBody);
+           std::string("#version 450\n") + pass.glslExtensions + pass.glslDeclarations + kFragmentBody);
     gl_.LinkProgram(made);
     GLint linked = GL_FALSE;
     gl_.GetProgramiv(made, GL_LINK_STATUS, &linked);
@@ -288,14 +286,11 @@ void FrameHost::readStatistics() {
     EXPECT_GT(sum, 0.0);
 }
 
-std::vector<StateText> FrameHost::read() const {
-    return readState(gl_, watchedScope(), compatibility_);
-}
+std::vector<StateText> FrameHost::read() const { return readState(gl_, watchedScope(), compatibility_); }
 
 AgaaResult AGAA_CALL FrameHost::draw(void* user, const AgaaDrawTarget* target) {
     auto& host = *static_cast<FrameHost*>(user);
-    const auto number =
-        static_cast<uint32_t>(std::count(host.calls.begin(), host.calls.end(), 'd'));
+    const auto number = static_cast<uint32_t>(std::count(host.calls.begin(), host.calls.end(), 'd'));
     host.calls += 'd';
     if (host.beforeDraw)
         host.beforeDraw();
@@ -317,9 +312,7 @@ void FrameHost::drawTriangle(const AgaaDrawTarget& target) {
         gl_.StencilFunc(GL_EQUAL, 0, 0xFF);
         gl_.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     }
-    const auto mask = [&](uint32_t bit) {
-        return (state.colorWriteMask & bit) != 0 ? GL_TRUE : GL_FALSE;
-    };
+    const auto mask = [&](uint32_t bit) { return (state.colorWriteMask & bit) != 0 ? GL_TRUE : GL_FALSE; };
     gl_.ColorMask(mask(1), mask(2), mask(4), mask(8));
     if (state.keepFirst != 0) {
         gl_.Enable(GL_BLEND);
@@ -349,8 +342,7 @@ void FrameHost::clearOutput() {
 std::vector<float> FrameHost::picture() {
     std::vector<float> texels(size_t{4} * kWidth * kHeight);
     useDefaults();
-    gl_.GetTextureImage(output, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * 4),
-                        texels.data());
+    gl_.GetTextureImage(output, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * 4), texels.data());
     return texels;
 }
 

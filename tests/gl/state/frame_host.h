@@ -26,8 +26,8 @@ struct FrameSettings {
 };
 
 // Where the SDK binds what host shaders read: apart from its own passes' places.
-inline constexpr uint32_t kFrameBinding = 4, kMetadataUnit = 18, kAggregatesBinding = 5,
-                          kCountersBinding = 6, kLightsBinding = 7, kShadowUnit = 20,
+inline constexpr uint32_t kFrameBinding = 4, kMetadataUnit = 18, kAggregatesBinding = 5, kCountersBinding = 6,
+                          kLightsBinding = 7, kShadowUnit = 20,
                           kFrameUnit = 24; // with AGAA_GL_CONSTANTS_TEXELS
 
 // What frames may touch, and more to see that they do not.
@@ -62,7 +62,7 @@ public:
     std::function<AgaaResult(uint32_t)> afterDraw; // at its end, with its number in the frame
     std::function<void()> onPush, onPop;
     size_t failingCall = ~size_t{0}; // push or pop, by its place in calls
-    std::string calls; // of the frame: a letter for each push (p), pop (o) and draw (d)
+    std::string calls;               // of the frame: a letter for each push (p), pop (o) and draw (d)
     std::vector<std::string> log;
     uint32_t output = 0;
     uint64_t frameIndex = 0;

@@ -14,9 +14,7 @@ struct FrameCase {
     FrameSettings settings;
 };
 
-void PrintTo(const FrameCase& value, std::ostream* out) {
-    *out << value.name;
-}
+void PrintTo(const FrameCase& value, std::ostream* out) { *out << value.name; }
 
 const FrameCase kCases[] = {
     {"Single", {.technique = "single", .samples = 1}},
@@ -40,16 +38,14 @@ const FrameCase kCases[] = {
     {"AgaaGbuffer", {.generationTier = AGAA_TIER_GBUFFER}},
     {"AgaaIds", {.samples = 8, .generationTier = AGAA_TIER_IDS, .fetches = true}},
     {"AgaaIdsBuffered", {.generationTier = AGAA_TIER_IDS, .flags = AGAA_CONFIG_BUFFERED, .fetches = true}},
-    {"AgaaIdsUnfetched",
-     {.generationTier = AGAA_TIER_IDS, .fetches = true, .fetchFlags = AGAA_FETCH_NOT_ALL_DRAWS}},
+    {"AgaaIdsUnfetched", {.generationTier = AGAA_TIER_IDS, .fetches = true, .fetchFlags = AGAA_FETCH_NOT_ALL_DRAWS}},
 };
 
 class FrameTest : public testing::TestWithParam<std::tuple<bool, FrameCase>> {
 protected:
     FrameTest()
         : compatibility(std::get<0>(GetParam())), settings(std::get<1>(GetParam()).settings),
-          context(EglContextDesc{.compatibility = compatibility}), objects(context.gl()),
-          others(context.gl()),
+          context(EglContextDesc{.compatibility = compatibility}), objects(context.gl()), others(context.gl()),
           touched(context.gl(), touchedScope(settings), compatibility),
           watched(context.gl(), watchedScope(), compatibility) {}
     void TearDown() override { EXPECT_EQ(context.takeMessages(), ""); }
@@ -80,8 +76,7 @@ protected:
             const auto found = host->read();
             for (size_t i = 0; i < entry.size(); ++i)
                 if (!isDeclared(entry[i].name)) {
-                    EXPECT_EQ(found[i].value, entry[i].value)
-                        << entry[i].name << ", in the callback";
+                    EXPECT_EQ(found[i].value, entry[i].value) << entry[i].name << ", in the callback";
                 }
         };
     }
@@ -89,13 +84,11 @@ protected:
         const auto at = [&](const char* row, uint32_t place) {
             return name.starts_with(row) && name.ends_with(format("[%u]", place));
         };
-        const char* storage =
-            settings.storageImages ? "GL_IMAGE_BINDING_NAME" : "GL_SHADER_STORAGE_BUFFER_BINDING";
+        const char* storage = settings.storageImages ? "GL_IMAGE_BINDING_NAME" : "GL_SHADER_STORAGE_BUFFER_BINDING";
         for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
             if (at("GL_TEXTURE_BINDING", kShadowUnit + i) || at("GL_SAMPLER", kShadowUnit + i))
                 return true;
-        const char* lights =
-            settings.storageImages ? "GL_UNIFORM_BUFFER_BINDING" : "GL_SHADER_STORAGE_BUFFER_BINDING";
+        const char* lights = settings.storageImages ? "GL_UNIFORM_BUFFER_BINDING" : "GL_SHADER_STORAGE_BUFFER_BINDING";
         return at(lights, kLightsBinding) || at("GL_UNIFORM_BUFFER_BINDING", kFrameBinding) ||
                at("GL_TEXTURE_BINDING", kFrameUnit) || at("GL_SAMPLER", kFrameUnit) ||
                at("GL_TEXTURE_BINDING", kMetadataUnit) || at("GL_SAMPLER", kMetadataUnit) ||
@@ -129,8 +122,7 @@ TEST_P(FrameTest, restoresTheStateAndDrawsTheSame) {
         expectState(entry, "after the frame");
         host->readStatistics();
         expectState(entry, "after reading statistics");
-        EXPECT_EQ(host->picture(), expected)
-            << "the host's state shows in the picture, seed " << seed;
+        EXPECT_EQ(host->picture(), expected) << "the host's state shows in the picture, seed " << seed;
     }
     EXPECT_EQ(joined(host->log), "");
 }
@@ -142,16 +134,14 @@ TEST_P(FrameTest, makesAndDestroysWithoutATrace) {
         GTEST_SKIP() << "the device has not this tier";
     expectState(entry, "after making the view");
     host.reset();
-    EXPECT_EQ(joined(differences(entry, readState(context.gl(), watchedScope(), compatibility))),
-              "");
+    EXPECT_EQ(joined(differences(entry, readState(context.gl(), watchedScope(), compatibility))), "");
 }
 
 TEST_P(FrameTest, restoresTheStateWhenACallbackFails) {
     if (!start(AGAA_GL_STATE_RESTORE))
         GTEST_SKIP() << "the device has not this tier";
     ASSERT_EQ(host->record(), AGAA_OK);
-    const auto draws =
-        static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
+    const auto draws = static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
     for (failing = 0; failing < draws; ++failing) {
         const auto entry = scrambled(failing + 7);
         expectInCallbacks(entry);
@@ -161,8 +151,7 @@ TEST_P(FrameTest, restoresTheStateWhenACallbackFails) {
 }
 
 TEST_P(FrameTest, changesNothingWhenAFrameIsRefused) {
-    for (const AgaaGlStatePolicy policy :
-         {AGAA_GL_STATE_RESTORE, AGAA_GL_STATE_CALLBACKS, AGAA_GL_STATE_NONE}) {
+    for (const AgaaGlStatePolicy policy : {AGAA_GL_STATE_RESTORE, AGAA_GL_STATE_CALLBACKS, AGAA_GL_STATE_NONE}) {
         if (!start(policy))
             GTEST_SKIP() << "the device has not this tier";
         const auto entry = scrambled(11);
@@ -188,8 +177,7 @@ TEST_P(FrameTest, restoresTheStateOfEachSegment) {
     ASSERT_EQ(host->record(), AGAA_OK);
     const std::vector<float> expected = host->picture();
     uint32_t seed = 20;
-    for (const uint64_t segment :
-         {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING}) {
+    for (const uint64_t segment : {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING}) {
         const auto entry = scrambled(seed++);
         expectInCallbacks(entry);
         ASSERT_EQ(host->record(host->frame(segment), host->output), AGAA_OK) << joined(host->log);
@@ -252,8 +240,7 @@ TEST_P(FrameTest, callsPushAndPopInTurns) {
     host->clearOutput();
     ASSERT_EQ(host->record(), AGAA_OK);
     const std::vector<float> expected = host->picture();
-    const auto draws =
-        static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
+    const auto draws = static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
     std::string calls = "p";
     for (uint32_t i = 0; i < draws; ++i)
         calls += "odp";
@@ -282,8 +269,7 @@ TEST_P(FrameTest, leavesNothingToAHostThatPushesAndPops) {
         GTEST_SKIP() << "the device has not this tier";
     std::vector<std::unique_ptr<gl::StateGuard>> stack;
     const auto push = [&] {
-        stack.push_back(
-            std::make_unique<gl::StateGuard>(context.gl(), watchedScope(), compatibility));
+        stack.push_back(std::make_unique<gl::StateGuard>(context.gl(), watchedScope(), compatibility));
         stack.back()->capture();
     };
     const auto pop = [&] {
@@ -311,8 +297,7 @@ TEST_P(FrameTest, leavesNothingToAHostThatPushesAndPops) {
     scramble(60);
     ASSERT_EQ(host->record(), AGAA_OK);
     expectState(entry, "after the frame");
-    const auto draws =
-        static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
+    const auto draws = static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
     for (failing = 0; failing < draws; ++failing) {
         scramble(61 + failing);
         EXPECT_EQ(host->record(), AGAA_ERROR_CALLBACK);
@@ -366,8 +351,7 @@ TEST_P(FrameTest, drawsTheSameWithoutSaving) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(gl, FrameTest,
-                         testing::Combine(testing::Bool(), testing::ValuesIn(kCases)),
+INSTANTIATE_TEST_SUITE_P(gl, FrameTest, testing::Combine(testing::Bool(), testing::ValuesIn(kCases)),
                          [](const auto& info) {
                              return std::string(std::get<1>(info.param).name) +
                                     (std::get<0>(info.param) ? "Compatibility" : "Core");

@@ -11,8 +11,7 @@ namespace {
 class GuardTest : public BothProfiles {};
 
 TEST(StateTableTest, namesEachRowOnceAProfile) {
-    for (const gl::StateProfile profile :
-         {gl::StateProfile::Core, gl::StateProfile::Compatibility}) {
+    for (const gl::StateProfile profile : {gl::StateProfile::Core, gl::StateProfile::Compatibility}) {
         std::set<std::pair<std::string, gl::StateArray>> names;
         for (const gl::StateRow& row : gl::stateTable())
             if (row.profile == gl::StateProfile::Any || row.profile == profile) {
@@ -61,8 +60,7 @@ TEST_P(GuardTest, readsWhatWasSetAndNothingElse) {
                         continue;
                     seen = seen || k == i;
                     EXPECT_TRUE(k == i || coupled(row.name, initial[k].name))
-                        << row.name << " changed " << initial[k].name << " to "
-                        << scrambled[k].value;
+                        << row.name << " changed " << initial[k].name << " to " << scrambled[k].value;
                 }
                 guard.restore();
             }
@@ -80,8 +78,7 @@ TEST_P(GuardTest, restoresScrambledStates) {
         scrambleState(guard.context(), objects, seed);
         const auto before = read();
         guard.capture();
-        EXPECT_EQ(joined(differences(before, read())), "")
-            << "capture changed states, seed " << seed;
+        EXPECT_EQ(joined(differences(before, read())), "") << "capture changed states, seed " << seed;
         scrambleState(guard.context(), objects, seed ^ 1u);
         scrambleState(guard.context(), objects, seed + 1000);
         guard.restore();

@@ -44,13 +44,11 @@ HostObjects::HostObjects(const GladGLContext& gl) : gl_(gl) {
         stages_[i] = gl.CreateShaderProgramv(GL_VERTEX_SHADER, 1, &kVertexShader);
         gl.UseProgramStages(pipelines[i], GL_VERTEX_SHADER_BIT, stages_[i]);
     }
-    gl.NamedFramebufferRenderbuffer(framebuffers.back(), GL_DEPTH_STENCIL_ATTACHMENT,
-                                    GL_RENDERBUFFER, renderbuffers.back());
+    gl.NamedFramebufferRenderbuffer(framebuffers.back(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                    renderbuffers.back());
 }
 
-HostObjects::~HostObjects() {
-    deleteAll();
-}
+HostObjects::~HostObjects() { deleteAll(); }
 
 void HostObjects::deleteAll() {
     constexpr GLsizei count = kCount;
@@ -66,9 +64,8 @@ void HostObjects::deleteAll() {
     for (const Names* names : {&textures, &multisampled, &arrays, &bufferTextures})
         gl_.DeleteTextures(count, names->data());
     gl_.DeleteBuffers(count, buffers.data());
-    for (Names* names :
-         {&buffers, &textures, &multisampled, &arrays, &bufferTextures, &samplers, &renderbuffers,
-          &framebuffers, &vertexArrays, &programs, &pipelines, &stages_})
+    for (Names* names : {&buffers, &textures, &multisampled, &arrays, &bufferTextures, &samplers, &renderbuffers,
+                         &framebuffers, &vertexArrays, &programs, &pipelines, &stages_})
         names->fill(0); // a second deletion does nothing
 }
 

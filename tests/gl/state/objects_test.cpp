@@ -34,12 +34,12 @@ TEST_P(ObjectsTest, deletedObjectsBecomeNone) {
         ASSERT_EQ(context.takeMessages(), "") << "seed " << seed;
         const auto after = read();
         for (size_t i = 0; i < before.size(); ++i) {
-            const bool binding = before[i].name.find("_BINDING") != std::string::npos ||
-                                 before[i].name == "GL_CURRENT_PROGRAM";
+            const bool binding =
+                before[i].name.find("_BINDING") != std::string::npos || before[i].name == "GL_CURRENT_PROGRAM";
             // The default vertex array keeps the deleted buffer if another was bound at the
             // deletion.
-            if (!binding || (before[i].name == "GL_ELEMENT_ARRAY_BUFFER_BINDING" &&
-                             before[i].value == after[i].value)) {
+            if (!binding ||
+                (before[i].name == "GL_ELEMENT_ARRAY_BUFFER_BINDING" && before[i].value == after[i].value)) {
                 EXPECT_EQ(before[i].value, after[i].value) << before[i].name;
             } else {
                 EXPECT_EQ(after[i].value.substr(0, after[i].value.find(' ')), "0") << after[i].name;
@@ -54,8 +54,7 @@ TEST_P(ObjectsTest, buffersWithRangesAndWithout) {
         gl().BindBufferBase(target, 0, objects.buffers[0]);
         gl().BindBufferRange(target, 2, objects.buffers[1], 0, HostObjects::kBufferBytes);
         gl().BindBufferRange(target, 5, objects.buffers[1], 512, HostObjects::kBufferBytes - 512);
-        gl().BindBufferRange(target, 9 - (target == GL_SHADER_STORAGE_BUFFER ? 2 : 0),
-                             objects.buffers[2], 1024, 16);
+        gl().BindBufferRange(target, 9 - (target == GL_SHADER_STORAGE_BUFFER ? 2 : 0), objects.buffers[2], 1024, 16);
         gl().BindBuffer(target, objects.buffers[0]); // not the last one bound to an index
     }
     expectRestored();

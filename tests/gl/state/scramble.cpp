@@ -30,8 +30,8 @@ void (*scramblerOf(const gl::StateRow& row))(Scrambling&) {
     return nullptr;
 }
 
-bool scrambleRow(const gl::StateContext& context, const HostObjects& objects, uint32_t seed,
-                 const gl::StateRow& row, uint32_t element) {
+bool scrambleRow(const gl::StateContext& context, const HostObjects& objects, uint32_t seed, const gl::StateRow& row,
+                 uint32_t element) {
     const auto run = scramblerOf(row);
     if (run == nullptr)
         return false;
@@ -49,15 +49,13 @@ void scrambleState(const gl::StateContext& context, const HostObjects& objects, 
                 scrambleRow(context, objects, seed, row, element);
 }
 
-std::vector<StateText> readState(const GladGLContext& gl, const gl::StateScope& scope,
-                                     bool compatibilityProfile) {
+std::vector<StateText> readState(const GladGLContext& gl, const gl::StateScope& scope, bool compatibilityProfile) {
     gl::StateGuard guard(gl, scope, compatibilityProfile);
     guard.capture();
     return describe(guard);
 }
 
-std::vector<std::string> differences(const std::vector<StateText>& first,
-                                     const std::vector<StateText>& second) {
+std::vector<std::string> differences(const std::vector<StateText>& first, const std::vector<StateText>& second) {
     std::vector<std::string> lines;
     if (first.size() != second.size())
         lines.push_back("not the same states");

@@ -14,13 +14,11 @@ namespace agaa::test {
 // take two values or more.
 void scrambleState(const gl::StateContext& context, const HostObjects& objects, uint32_t seed);
 // One row's element. False if there is no scrambler for the row.
-bool scrambleRow(const gl::StateContext& context, const HostObjects& objects, uint32_t seed,
-                 const gl::StateRow& row, uint32_t element);
+bool scrambleRow(const gl::StateContext& context, const HostObjects& objects, uint32_t seed, const gl::StateRow& row,
+                 uint32_t element);
 
-std::vector<StateText> readState(const GladGLContext& gl, const gl::StateScope& scope,
-                                     bool compatibilityProfile);
+std::vector<StateText> readState(const GladGLContext& gl, const gl::StateScope& scope, bool compatibilityProfile);
 // A line for each state that differs: its name, the first value and the second.
-std::vector<std::string> differences(const std::vector<StateText>& first,
-                                     const std::vector<StateText>& second);
+std::vector<std::string> differences(const std::vector<StateText>& first, const std::vector<StateText>& second);
 
 } // namespace agaa::test

@@ -4,14 +4,12 @@
 namespace agaa::test {
 namespace {
 
-template <GLenum Target>
-void bindBuffer(Scrambling& s) {
+template <GLenum Target> void bindBuffer(Scrambling& s) {
     s.gl.BindBuffer(Target, s.values.nameOrNone(s.objects.buffers));
 }
 
 // Whole buffers, ranges with an offset and ranges up to the end.
-template <GLenum Target>
-void bindBufferAt(Scrambling& s) {
+template <GLenum Target> void bindBufferAt(Scrambling& s) {
     const GLuint buffer = s.values.nameOrNone(s.objects.buffers);
     const GLintptr start = s.values.oneOf<GLintptr>({0, 256, 4096});
     const GLsizeiptr size = s.values.oneOf<GLsizeiptr>({64, HostObjects::kBufferBytes - start});
@@ -21,8 +19,7 @@ void bindBufferAt(Scrambling& s) {
         s.gl.BindBufferRange(Target, s.element, buffer, start, size);
 }
 
-template <GLenum Target, HostObjects::Names HostObjects::*Textures>
-void bindTexture(Scrambling& s) {
+template <GLenum Target, HostObjects::Names HostObjects::*Textures> void bindTexture(Scrambling& s) {
     GLint active = 0;
     s.gl.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
     s.gl.ActiveTexture(GL_TEXTURE0 + s.element);
@@ -37,20 +34,16 @@ void bindImage(Scrambling& s) {
     const GLenum format = s.values.oneOf<GLenum>({GL_RGBA8, GL_R32UI, GL_RGBA8UI});
     switch (s.values.below(4)) {
     case 0:
-        s.gl.BindImageTexture(s.element, s.values.name(s.objects.textures), level, GL_FALSE, 0,
-                              access, format);
+        s.gl.BindImageTexture(s.element, s.values.name(s.objects.textures), level, GL_FALSE, 0, access, format);
         break;
     case 1:
-        s.gl.BindImageTexture(s.element, s.values.name(s.objects.arrays), level, GL_FALSE, layer,
-                              access, format);
+        s.gl.BindImageTexture(s.element, s.values.name(s.objects.arrays), level, GL_FALSE, layer, access, format);
         break;
     case 2:
-        s.gl.BindImageTexture(s.element, s.values.name(s.objects.arrays), level, GL_TRUE, 0, access,
-                              format);
+        s.gl.BindImageTexture(s.element, s.values.name(s.objects.arrays), level, GL_TRUE, 0, access, format);
         break;
     default:
-        s.gl.BindImageTexture(s.element, s.values.name(s.objects.bufferTextures), 0, GL_FALSE, 0,
-                              access, format);
+        s.gl.BindImageTexture(s.element, s.values.name(s.objects.bufferTextures), 0, GL_FALSE, 0, access, format);
         break;
     }
 }
@@ -73,22 +66,14 @@ void bindPipeline(Scrambling& s) {
 
 const Scrambler kScramblers[] = {
     {"GL_PROGRAM_PIPELINE_BINDING", bindPipeline},
-    {"GL_CURRENT_PROGRAM",
-     [](Scrambling& s) { s.gl.UseProgram(s.values.nameOrNone(s.objects.programs)); }},
+    {"GL_CURRENT_PROGRAM", [](Scrambling& s) { s.gl.UseProgram(s.values.nameOrNone(s.objects.programs)); }},
     {"GL_DRAW_FRAMEBUFFER_BINDING",
-     [](Scrambling& s) {
-         s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, s.values.nameOrNone(s.objects.framebuffers));
-     }},
+     [](Scrambling& s) { s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, s.values.nameOrNone(s.objects.framebuffers)); }},
     {"GL_READ_FRAMEBUFFER_BINDING",
-     [](Scrambling& s) {
-         s.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, s.values.nameOrNone(s.objects.framebuffers));
-     }},
+     [](Scrambling& s) { s.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, s.values.nameOrNone(s.objects.framebuffers)); }},
     {"GL_RENDERBUFFER_BINDING",
-     [](Scrambling& s) {
-         s.gl.BindRenderbuffer(GL_RENDERBUFFER, s.values.nameOrNone(s.objects.renderbuffers));
-     }},
-    {"GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE",
-     bindBufferAt<GL_UNIFORM_BUFFER>},
+     [](Scrambling& s) { s.gl.BindRenderbuffer(GL_RENDERBUFFER, s.values.nameOrNone(s.objects.renderbuffers)); }},
+    {"GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE", bindBufferAt<GL_UNIFORM_BUFFER>},
     {"GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, "
      "GL_SHADER_STORAGE_BUFFER_SIZE",
      bindBufferAt<GL_SHADER_STORAGE_BUFFER>},
@@ -108,12 +93,10 @@ const Scrambler kScramblers[] = {
      [](Scrambling& s) { s.gl.BindVertexArray(s.values.nameOrNone(s.objects.vertexArrays)); }},
     {"GL_ELEMENT_ARRAY_BUFFER_BINDING", bindElementBuffer},
     {"GL_TEXTURE_BINDING_2D", bindTexture<GL_TEXTURE_2D, &HostObjects::textures>},
-    {"GL_TEXTURE_BINDING_2D_MULTISAMPLE",
-     bindTexture<GL_TEXTURE_2D_MULTISAMPLE, &HostObjects::multisampled>},
+    {"GL_TEXTURE_BINDING_2D_MULTISAMPLE", bindTexture<GL_TEXTURE_2D_MULTISAMPLE, &HostObjects::multisampled>},
     {"GL_TEXTURE_BINDING_2D_ARRAY", bindTexture<GL_TEXTURE_2D_ARRAY, &HostObjects::arrays>},
     {"GL_TEXTURE_BINDING_BUFFER", bindTexture<GL_TEXTURE_BUFFER, &HostObjects::bufferTextures>},
-    {"GL_SAMPLER_BINDING",
-     [](Scrambling& s) { s.gl.BindSampler(s.element, s.values.nameOrNone(s.objects.samplers)); }},
+    {"GL_SAMPLER_BINDING", [](Scrambling& s) { s.gl.BindSampler(s.element, s.values.nameOrNone(s.objects.samplers)); }},
     {"GL_IMAGE_BINDING_NAME, GL_IMAGE_BINDING_LEVEL, GL_IMAGE_BINDING_LAYERED, "
      "GL_IMAGE_BINDING_LAYER, GL_IMAGE_BINDING_ACCESS, GL_IMAGE_BINDING_FORMAT",
      bindImage},
@@ -129,8 +112,6 @@ const Scrambler kScramblers[] = {
 
 } // namespace
 
-std::span<const Scrambler> bindingScramblers() {
-    return kScramblers;
-}
+std::span<const Scrambler> bindingScramblers() { return kScramblers; }
 
 } // namespace agaa::test

@@ -14,8 +14,8 @@ constexpr auto stencilMask = [](Values& v) {
     return v.oneOf<GLuint>({0u, 0x0Fu, 0xF0u, 0x81u, 0x7FFFFFFFu, 0xFFFFFFFFu});
 };
 constexpr auto factor = [](Values& v) {
-    return v.oneOf<GLenum>({GL_ONE, GL_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA,
-                            GL_CONSTANT_COLOR, GL_SRC_ALPHA_SATURATE, GL_SRC1_COLOR});
+    return v.oneOf<GLenum>({GL_ONE, GL_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_CONSTANT_COLOR,
+                            GL_SRC_ALPHA_SATURATE, GL_SRC1_COLOR});
 };
 constexpr auto equation = [](Values& v) {
     return v.oneOf<GLenum>({GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX});
@@ -25,12 +25,9 @@ constexpr auto hint = [](Scrambling& s) {
     s.gl.Hint(s.row.parameters[0], s.values.oneOf<GLenum>({GL_FASTEST, GL_NICEST}));
 };
 constexpr auto clampColor = [](Scrambling& s) {
-    s.gl.ClampColor(s.row.parameters[0],
-                    s.values.oneOf<GLenum>({GL_TRUE, GL_FALSE, GL_FIXED_ONLY}));
+    s.gl.ClampColor(s.row.parameters[0], s.values.oneOf<GLenum>({GL_TRUE, GL_FALSE, GL_FIXED_ONLY}));
 };
-constexpr auto pixelFlag = [](Scrambling& s) {
-    s.gl.PixelStorei(s.row.parameters[0], s.values.boolean());
-};
+constexpr auto pixelFlag = [](Scrambling& s) { s.gl.PixelStorei(s.row.parameters[0], s.values.boolean()); };
 constexpr auto pixelCount = [](Scrambling& s) {
     s.gl.PixelStorei(s.row.parameters[0], s.values.oneOf<GLint>({1, 3, 8, 17, 300}));
 };
@@ -41,19 +38,17 @@ constexpr auto pixelAlignment = [](Scrambling& s) {
 const Scrambler kScramblers[] = {
     {"GL_VIEWPORT",
      [](Scrambling& s) {
-         s.gl.ViewportIndexedf(s.element, s.values.number(-8, 8), s.values.number(-8, 8),
-                               s.values.number(1, 33), s.values.number(1, 17));
+         s.gl.ViewportIndexedf(s.element, s.values.number(-8, 8), s.values.number(-8, 8), s.values.number(1, 33),
+                               s.values.number(1, 17));
      }},
     {"GL_DEPTH_RANGE",
      [](Scrambling& s) {
-         s.gl.DepthRangeIndexed(s.element, s.values.number(0.125f, 0.5f),
-                                s.values.number(0.5f, 0.875f));
+         s.gl.DepthRangeIndexed(s.element, s.values.number(0.125f, 0.5f), s.values.number(0.5f, 0.875f));
      }},
     {"GL_SCISSOR_BOX",
      [](Scrambling& s) {
-         s.gl.ScissorIndexed(s.element, s.values.oneOf<GLint>({-5, 2, 7}),
-                             s.values.oneOf<GLint>({-3, 1, 9}), s.values.oneOf<GLint>({0, 11, 400}),
-                             s.values.oneOf<GLint>({13, 21}));
+         s.gl.ScissorIndexed(s.element, s.values.oneOf<GLint>({-5, 2, 7}), s.values.oneOf<GLint>({-3, 1, 9}),
+                             s.values.oneOf<GLint>({0, 11, 400}), s.values.oneOf<GLint>({13, 21}));
      }},
     {"GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE",
      [](Scrambling& s) {
@@ -89,19 +84,15 @@ const Scrambler kScramblers[] = {
      [](Scrambling& s) { s.gl.LineWidth(s.values.number(0.25f, 0.75f)); }},
     {"GL_POINT_SIZE", [](Scrambling& s) { s.gl.PointSize(s.values.number(2, 6)); }},
     {"GL_POINT_FADE_THRESHOLD_SIZE",
-     [](Scrambling& s) {
-         s.gl.PointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, s.values.number(2, 6));
-     }},
+     [](Scrambling& s) { s.gl.PointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, s.values.number(2, 6)); }},
     {"GL_POINT_SPRITE_COORD_ORIGIN",
      [](Scrambling& s) {
-         s.gl.PointParameteri(
-             GL_POINT_SPRITE_COORD_ORIGIN,
-             static_cast<GLint>(s.values.oneOf<GLenum>({GL_LOWER_LEFT, GL_UPPER_LEFT})));
+         s.gl.PointParameteri(GL_POINT_SPRITE_COORD_ORIGIN,
+                              static_cast<GLint>(s.values.oneOf<GLenum>({GL_LOWER_LEFT, GL_UPPER_LEFT})));
      }},
     {"GL_PROVOKING_VERTEX",
      [](Scrambling& s) {
-         s.gl.ProvokingVertex(
-             s.values.oneOf<GLenum>({GL_FIRST_VERTEX_CONVENTION, GL_LAST_VERTEX_CONVENTION}));
+         s.gl.ProvokingVertex(s.values.oneOf<GLenum>({GL_FIRST_VERTEX_CONVENTION, GL_LAST_VERTEX_CONVENTION}));
      }},
     {"GL_PRIMITIVE_RESTART_INDEX",
      [](Scrambling& s) {
@@ -118,8 +109,8 @@ const Scrambler kScramblers[] = {
      }},
     {"GL_PATCH_DEFAULT_OUTER_LEVEL",
      [](Scrambling& s) {
-         const GLfloat levels[] = {s.values.number(2, 6), s.values.number(2, 6),
-                                   s.values.number(2, 6), s.values.number(2, 6)};
+         const GLfloat levels[] = {s.values.number(2, 6), s.values.number(2, 6), s.values.number(2, 6),
+                                   s.values.number(2, 6)};
          s.gl.PatchParameterfv(GL_PATCH_DEFAULT_OUTER_LEVEL, levels);
      }},
     {"GL_SAMPLE_COVERAGE_VALUE, GL_SAMPLE_COVERAGE_INVERT",
@@ -128,8 +119,7 @@ const Scrambler kScramblers[] = {
      [](Scrambling& s) {
          s.gl.SampleMaski(s.element, s.values.oneOf<GLuint>({0u, 5u, 0x80000000u, 0x7FFFFFFFu}));
      }},
-    {"GL_MIN_SAMPLE_SHADING_VALUE",
-     [](Scrambling& s) { s.gl.MinSampleShading(s.values.number(0.25f, 1)); }},
+    {"GL_MIN_SAMPLE_SHADING_VALUE", [](Scrambling& s) { s.gl.MinSampleShading(s.values.number(0.25f, 1)); }},
     {"GL_RASTER_SAMPLES_EXT, GL_RASTER_FIXED_SAMPLE_LOCATIONS_EXT",
      [](Scrambling& s) {
          s.gl.RasterSamplesEXT(s.values.oneOf<GLuint>({2u, 4u, 8u}), s.values.boolean());
@@ -150,13 +140,13 @@ const Scrambler kScramblers[] = {
     {"GL_DEPTH_WRITEMASK", [](Scrambling& s) { s.gl.DepthMask(s.values.boolean()); }},
     {"GL_STENCIL_FUNC, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK",
      [](Scrambling& s) {
-         s.gl.StencilFuncSeparate(GL_FRONT, compareFunction(s.values),
-                                  s.values.oneOf<GLint>({1, 77, 255}), stencilMask(s.values));
+         s.gl.StencilFuncSeparate(GL_FRONT, compareFunction(s.values), s.values.oneOf<GLint>({1, 77, 255}),
+                                  stencilMask(s.values));
      }},
     {"GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK",
      [](Scrambling& s) {
-         s.gl.StencilFuncSeparate(GL_BACK, compareFunction(s.values),
-                                  s.values.oneOf<GLint>({2, 78, 254}), stencilMask(s.values));
+         s.gl.StencilFuncSeparate(GL_BACK, compareFunction(s.values), s.values.oneOf<GLint>({2, 78, 254}),
+                                  stencilMask(s.values));
      }},
     {"GL_STENCIL_FAIL, GL_STENCIL_PASS_DEPTH_FAIL, GL_STENCIL_PASS_DEPTH_PASS",
      [](Scrambling& s) {
@@ -168,28 +158,21 @@ const Scrambler kScramblers[] = {
          s.gl.StencilOpSeparate(GL_BACK, stencilOperation(s.values), stencilOperation(s.values),
                                 stencilOperation(s.values));
      }},
-    {"GL_STENCIL_WRITEMASK",
-     [](Scrambling& s) { s.gl.StencilMaskSeparate(GL_FRONT, stencilMask(s.values)); }},
-    {"GL_STENCIL_BACK_WRITEMASK",
-     [](Scrambling& s) { s.gl.StencilMaskSeparate(GL_BACK, stencilMask(s.values)); }},
+    {"GL_STENCIL_WRITEMASK", [](Scrambling& s) { s.gl.StencilMaskSeparate(GL_FRONT, stencilMask(s.values)); }},
+    {"GL_STENCIL_BACK_WRITEMASK", [](Scrambling& s) { s.gl.StencilMaskSeparate(GL_BACK, stencilMask(s.values)); }},
     {"GL_COLOR_WRITEMASK",
      [](Scrambling& s) {
-         s.gl.ColorMaski(s.element, s.values.boolean(), s.values.boolean(), s.values.boolean(),
-                         s.values.boolean());
+         s.gl.ColorMaski(s.element, s.values.boolean(), s.values.boolean(), s.values.boolean(), s.values.boolean());
      }},
     {"GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA",
-     [](Scrambling& s) {
-         s.gl.BlendEquationSeparatei(s.element, equation(s.values), equation(s.values));
-     }},
+     [](Scrambling& s) { s.gl.BlendEquationSeparatei(s.element, equation(s.values), equation(s.values)); }},
     {"GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA",
      [](Scrambling& s) {
-         s.gl.BlendFuncSeparatei(s.element, factor(s.values), factor(s.values), factor(s.values),
-                                 factor(s.values));
+         s.gl.BlendFuncSeparatei(s.element, factor(s.values), factor(s.values), factor(s.values), factor(s.values));
      }},
     {"GL_BLEND_COLOR",
      [](Scrambling& s) {
-         s.gl.BlendColor(s.values.number(-1, 3), s.values.number(2, 4), s.values.number(0, 1),
-                         s.values.number(0, 1));
+         s.gl.BlendColor(s.values.number(-1, 3), s.values.number(2, 4), s.values.number(0, 1), s.values.number(0, 1));
      }},
     {"GL_LOGIC_OP_MODE",
      [](Scrambling& s) {
@@ -197,8 +180,7 @@ const Scrambler kScramblers[] = {
      }},
     {"GL_COLOR_CLEAR_VALUE",
      [](Scrambling& s) {
-         s.gl.ClearColor(s.values.number(-1, 3), s.values.number(2, 4), s.values.number(0, 1),
-                         s.values.number(0, 1));
+         s.gl.ClearColor(s.values.number(-1, 3), s.values.number(2, 4), s.values.number(0, 1), s.values.number(0, 1));
      }},
     {"GL_DEPTH_CLEAR_VALUE", [](Scrambling& s) { s.gl.ClearDepth(s.values.number(0, 0.5f)); }},
     {"GL_STENCIL_CLEAR_VALUE",
@@ -243,8 +225,6 @@ const Scrambler kScramblers[] = {
 
 } // namespace
 
-std::span<const Scrambler> fixedFunctionScramblers() {
-    return kScramblers;
-}
+std::span<const Scrambler> fixedFunctionScramblers() { return kScramblers; }
 
 } // namespace agaa::test

@@ -13,8 +13,7 @@ namespace agaa::test {
 class Values {
 public:
     Values(uint32_t seed, uint32_t row, uint32_t element)
-        : state_((seed / 2) * 0x9E3779B9u ^ row * 0x85EBCA6Bu ^ element * 0xC2B2AE35u),
-          odd_(seed % 2) {}
+        : state_((seed / 2) * 0x9E3779B9u ^ row * 0x85EBCA6Bu ^ element * 0xC2B2AE35u), odd_(seed % 2) {}
 
     uint32_t below(uint32_t count) {
         state_ = state_ * 747796405u + 2891336453u;
@@ -24,11 +23,8 @@ public:
     bool flag() { return below(2) != 0; }
     GLboolean boolean() { return flag() ? GL_TRUE : GL_FALSE; }
     // Multiples of a sixteenth of the span, which every number type holds.
-    float number(float least, float most) {
-        return least + (most - least) * static_cast<float>(below(17)) / 16.0f;
-    }
-    template <typename T>
-    T oneOf(std::initializer_list<T> list) {
+    float number(float least, float most) { return least + (most - least) * static_cast<float>(below(17)) / 16.0f; }
+    template <typename T> T oneOf(std::initializer_list<T> list) {
         return list.begin()[below(static_cast<uint32_t>(list.size()))];
     }
     GLuint name(const HostObjects::Names& names) { return names[below(HostObjects::kCount)]; }

@@ -18,8 +18,8 @@ struct Case {
 };
 
 std::string nameOf(const Case& c) {
-    return "n=" + std::to_string(c.samples) + " c=" + std::to_string(c.aggregates) + " " +
-           c.layout + " " + agaaTierName(c.tier) + " flags " + std::to_string(c.flags);
+    return "n=" + std::to_string(c.samples) + " c=" + std::to_string(c.aggregates) + " " + c.layout + " " +
+           agaaTierName(c.tier) + " flags " + std::to_string(c.flags);
 }
 
 uint32_t code(double value, uint32_t bits) {
@@ -35,8 +35,8 @@ uint32_t signedCode(double value, uint32_t bits) {
 
 bool isSigned(size_t channel) { return channel >= ChannelNormalX && channel <= ChannelNormalZ; }
 
-// The channels of a material as the layout stores them, in [0,1], or in [-1,1] of a normal. Written from the description of the
-// layouts, not from the shader.
+// The channels of a material as the layout stores them, in [0,1], or in [-1,1] of a normal. Written from the
+// description of the layouts, not from the shader.
 std::array<double, ChannelCount> channels(const Material& m, const Layout& layout) {
     std::array<double, ChannelCount> v{};
     const glm::dvec3 d(m.diffuse), e(m.emissive), n = glm::normalize(glm::dvec3(m.normal));
@@ -46,8 +46,7 @@ std::array<double, ChannelCount> channels(const Material& m, const Layout& layou
         const double y = 0.299 * s.x + 0.587 * s.y + 0.114 * s.z;
         s = {y, (s.z - y) / 1.772 + 0.5, (s.x - y) / 1.402 + 0.5};
     }
-    const double length =
-        layout.foldsRoughness() ? std::max(2 * (1 - alpha2) / (2 - alpha2), 1.0 / 256) : 1;
+    const double length = layout.foldsRoughness() ? std::max(2 * (1 - alpha2) / (2 - alpha2), 1.0 / 256) : 1;
     const double range = double(layout.emissiveRange());
     for (int i = 0; i < 3; ++i) {
         v[size_t(ChannelDiffuseR + i)] = d[i];
@@ -58,8 +57,7 @@ std::array<double, ChannelCount> channels(const Material& m, const Layout& layou
     v[ChannelRoughness] = alpha2;
     if (layout[AGAA_SEMANTIC_EMISSIVE].channels == 1) {
         const glm::dvec3 luma(0.2126, 0.7152, 0.0722);
-        v[ChannelEmissiveR] =
-            glm::dot(e, luma) / (std::max(glm::dot(d, luma), 1e-3) * range);
+        v[ChannelEmissiveR] = glm::dot(e, luma) / (std::max(glm::dot(d, luma), 1e-3) * range);
     }
     return v;
 }
@@ -77,8 +75,7 @@ ViewSettings settingsOf(const Case& c, AgaaLayout& layout) {
     return settings;
 }
 
-uint32_t idOf(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t i, uint32_t n,
-              uint32_t c) {
+uint32_t idOf(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t i, uint32_t n, uint32_t c) {
     if (c == 1)
         return 0;
     // Bit planes, side by side while they fit one channel.
@@ -129,8 +126,7 @@ void expectExactSums(StageContext& context, const Case& c, const std::vector<Tri
                 wrongMasks += field(packing.coverage, n) != mask;
                 for (size_t k = 0; k < ChannelCount; ++k)
                     if (packing.fields[k].bits)
-                        wrongFields +=
-                            field(packing.fields[k], packing.fields[k].bits + growth) != sums[k];
+                        wrongFields += field(packing.fields[k], packing.fields[k].bits + growth) != sums[k];
             }
         }
     EXPECT_GT(covered, size_t(plan.view.width) * plan.view.height * n / 4) << "the scene must cover the view";
@@ -209,8 +205,7 @@ TEST(Accumulation, HardCase27FirstSampleRoutingMovesCoverage) {
     StageContext context;
     const auto scene = randomTriangles({.triangles = 300}, 7);
     AgaaLayout layout = AGAA_LAYOUT_INIT;
-    ViewSettings settings = settingsOf(
-        {8, 2, "precise", AGAA_TIER_AUTO, AGAA_MEASURE_FIRST_SAMPLE_ROUTING}, layout);
+    ViewSettings settings = settingsOf({8, 2, "precise", AGAA_TIER_AUTO, AGAA_MEASURE_FIRST_SAMPLE_ROUTING}, layout);
     StageView literal(context, settings);
     literal.setTriangles(scene);
     literal.render(literal.frame());

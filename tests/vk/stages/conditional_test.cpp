@@ -87,7 +87,8 @@ Batches render(const HostOptions& options, float fragmentsPerPixel) {
     EXPECT_EQ(view.batches.size(), batchCount) << "the host is called for all";
     uint64_t samples[batchCount] = {};
     EXPECT_EQ(vkGetQueryPoolResults(device, queries.get(), 0, batchCount, sizeof samples, samples, sizeof samples[0],
-                                    VK_QUERY_RESULT_64_BIT), VK_SUCCESS);
+                                    VK_QUERY_RESULT_64_BIT),
+              VK_SUCCESS);
     Batches out{view.image().rgb, {}, view.statistics().counters};
     for (const uint64_t count : samples)
         out.drawn.push_back(count != 0);

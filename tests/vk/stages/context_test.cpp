@@ -20,9 +20,9 @@ TEST(VkMisuse, WhatWasNotEnabledIsNotThere) {
     }});
     ASSERT_EQ(agaaVkGetContextCaps(context.get(), &least), AGAA_OK);
     const uint64_t dropped = AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |
-                             AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_DYNAMIC_RENDERING | AGAA_DEVICE_GEOMETRY_SHADERS |
-                             AGAA_DEVICE_CONDITIONAL_RENDERING | AGAA_DEVICE_FRAGMENT_INTERLOCK |
-                             AGAA_DEVICE_FRAMEBUFFER_FETCH;
+                             AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_DYNAMIC_RENDERING |
+                             AGAA_DEVICE_GEOMETRY_SHADERS | AGAA_DEVICE_CONDITIONAL_RENDERING |
+                             AGAA_DEVICE_FRAGMENT_INTERLOCK | AGAA_DEVICE_FRAMEBUFFER_FETCH;
     EXPECT_NE(all.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, 0u);
     EXPECT_EQ(least.flags, all.flags & ~dropped);
     ViewSettings settings;

@@ -20,8 +20,7 @@ struct Ids {
 };
 
 // What the GPU defined.
-Ids storedIds(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t n, uint32_t c,
-              uint32_t covered) {
+Ids storedIds(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t n, uint32_t c, uint32_t covered) {
     Ids ids{covered, {}};
     const glm::uvec4 texel = metadata[pixel];
     const uint64_t planes = n < 32 ? texel.x : texel.x | uint64_t(texel.y) << 32;
@@ -41,7 +40,8 @@ struct Pixel {
 glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint32_t x, uint32_t y, uint32_t i,
                         double depth) {
     const FrameConstants& c = constants;
-    const double z = math_d::agaa_viewZFromDepth(depth, double(c.projection22), double(c.projection32), c.isOrthographic);
+    const double z =
+        math_d::agaa_viewZFromDepth(depth, double(c.projection22), double(c.projection32), c.isOrthographic);
     const glm::dvec2 ndc((x + double(constants.sampleLocations[i][0])) / plan.view.width * 2 - 1,
                          (y + double(constants.sampleLocations[i][1])) / plan.view.height * 2 - 1);
     return math_d::agaa_viewPosition(ndc, z, double(c.projectionScale[0]), double(c.projectionScale[1]),
@@ -81,14 +81,13 @@ public:
             c.agaa_samplePosition[i] = position;
             c.agaa_sampleNormal[i] = glm::dmat3(t, b, v) * agaa_decodeHemiOct8(code);
             c.agaa_sampleKeyA[i] = depth_[s].x;
-            c.agaa_sampleKeyB[i] = code.x << 24 | code.y << 16 |
-                                   uint32_t(constants_.sampleLocations[i][0] * 128) << 8 |
+            c.agaa_sampleKeyB[i] = code.x << 24 | code.y << 16 | uint32_t(constants_.sampleLocations[i][0] * 128) << 8 |
                                    uint32_t(constants_.sampleLocations[i][1] * 128);
             nearest2 = std::min(nearest2, glm::dot(position, position));
             nearestZ = std::min(nearestZ, std::abs(z));
             const double step = f.depthQuantum < 0 ? double(-f.depthQuantum) * depth : double(f.depthQuantum);
-            c.agaa_sampleStep[i] = agaa_depthQuantum(z, depth, double(f.projection22), double(f.projection32), orthographic,
-                                                     step);
+            c.agaa_sampleStep[i] =
+                agaa_depthQuantum(z, depth, double(f.projection22), double(f.projection32), orthographic, step);
         }
         const AgaaConfig& config = plan.view.config;
         pixel.k = agaa_characteristicLength(double(plan.view.aggregation.characteristicLength),
@@ -100,9 +99,7 @@ public:
     }
 
 private:
-    static uint32_t channel(uint32_t bits) {
-        return uint32_t(std::lround(std::bit_cast<float>(bits) * 255));
-    }
+    static uint32_t channel(uint32_t bits) { return uint32_t(std::lround(std::bit_cast<float>(bits) * 255)); }
 
     StageView& view_;
     FrameConstants constants_;
@@ -113,8 +110,7 @@ private:
 bool samePartition(const Ids& a, const Ids& b, uint32_t n) {
     for (uint32_t i = 0; i < n; ++i)
         for (uint32_t j = 0; j < i; ++j)
-            if ((a.covered >> i & 1) && (a.covered >> j & 1) &&
-                (a.id[i] == a.id[j]) != (b.id[i] == b.id[j]))
+            if ((a.covered >> i & 1) && (a.covered >> j & 1) && (a.id[i] == a.id[j]) != (b.id[i] == b.id[j]))
                 return false;
     return true;
 }
@@ -126,8 +122,7 @@ struct Agreement {
     size_t different = 0;    // of these, that the GPU parts otherwise
 };
 
-Agreement compareWithOracle(StageContext& context, const ViewSettings& settings,
-                            const std::vector<Triangle>& scene) {
+Agreement compareWithOracle(StageContext& context, const ViewSettings& settings, const std::vector<Triangle>& scene) {
     StageView view(context, settings);
     view.setTriangles(scene);
     const AgaaFrame frame = view.frame();
@@ -150,12 +145,13 @@ Agreement compareWithOracle(StageContext& context, const ViewSettings& settings,
                 continue;
             const AgaaConfig& config = view.plan().view.config;
             Ids cpu{pixel.covered, {}};
-            const bool one = pixel.clustering->agaa_areAllOneSurface(n, pixel.covered, double(config.surfaceCosine),
-                                                                     pixel.width);
-            const uint32_t count = one ? 1
-                                       : pixel.clustering->agaa_defineAggregates(
-                                             n, pixel.covered, c, pixel.k, double(view.plan().view.aggregation.aggregateThreshold),
-                                             view.plan().view.measurement.seeds);
+            const bool one =
+                pixel.clustering->agaa_areAllOneSurface(n, pixel.covered, double(config.surfaceCosine), pixel.width);
+            const uint32_t count =
+                one ? 1
+                    : pixel.clustering->agaa_defineAggregates(n, pixel.covered, c, pixel.k,
+                                                              double(view.plan().view.aggregation.aggregateThreshold),
+                                                              view.plan().view.measurement.seeds);
             for (uint32_t i = 0; i < n && !one; ++i)
                 cpu.id[i] = pixel.clustering->agaa_sampleAggregate[i];
             ++found.pixels;
@@ -289,8 +285,8 @@ TEST(Definition, HardCase55AgreesAtOddSizes) {
 void addSquare(std::vector<Triangle>& scene, const glm::vec3& normal, const glm::vec3& side, const glm::vec3& centre,
                float size) {
     const glm::vec3 up = glm::cross(side, normal);
-    const glm::vec3 corners[4] = {centre - size * (side + up), centre + size * (side - up),
-                                  centre + size * (side + up), centre + size * (up - side)};
+    const glm::vec3 corners[4] = {centre - size * (side + up), centre + size * (side - up), centre + size * (side + up),
+                                  centre + size * (up - side)};
     for (const auto& index : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
         Triangle t;
         for (size_t i = 0; i < 3; ++i)
@@ -313,8 +309,8 @@ Split splitPixels(StageContext& context, uint32_t tier, const glm::vec3& normal,
     ViewSettings settings = settingsFor(8, 2);
     settings.config.generationTier = tier;
     settings.config.flags |= tier == AGAA_TIER_GBUFFER ? AGAA_CONFIG_BUFFERED : 0; // for the metadata
-    settings.view = glm::mat4(glm::mat3(glm::vec3(0.36f, 0.48f, -0.8f), glm::vec3(-0.8f, 0.6f, 0),
-                                        glm::vec3(0.48f, 0.64f, 0.6f)));
+    settings.view =
+        glm::mat4(glm::mat3(glm::vec3(0.36f, 0.48f, -0.8f), glm::vec3(-0.8f, 0.6f, 0), glm::vec3(0.48f, 0.64f, 0.6f)));
     const glm::mat3 toShading = glm::transpose(glm::mat3(settings.view));
     const glm::vec3 side = glm::normalize(glm::cross(normal, glm::vec3(0.3f, 0.9f, 0.2f)));
     const glm::vec3 behind(0, 0, -6);
@@ -322,8 +318,7 @@ Split splitPixels(StageContext& context, uint32_t tier, const glm::vec3& normal,
     std::vector<Triangle> scene;
     addSquare(scene, toShading * normal, toShading * side, toShading * behind, size);
     if (gap > 0)
-        addSquare(scene, toShading * normal, toShading * side,
-                  toShading * (behind + gap * normal + size * side), size);
+        addSquare(scene, toShading * normal, toShading * side, toShading * (behind + gap * normal + size * side), size);
     StageView view(context, settings);
     view.setTriangles(scene);
     const AgaaFrame frame = view.frame();
@@ -388,10 +383,8 @@ TEST(Definition, HardCase20AWallStaysOneAggregate) {
         settings.projection = perspective(5, 1.5f, 0.01f, 10000);
         const float s = distance;
         std::vector<Triangle> wall;
-        const glm::vec3 corners[4] = {{-s, -s, -1.1f * distance},
-                                      {s, -s, -0.9f * distance},
-                                      {s, s, -0.9f * distance},
-                                      {-s, s, -1.1f * distance}};
+        const glm::vec3 corners[4] = {
+            {-s, -s, -1.1f * distance}, {s, -s, -0.9f * distance}, {s, s, -0.9f * distance}, {-s, s, -1.1f * distance}};
         for (const auto& index : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
             Triangle t;
             for (size_t i = 0; i < 3; ++i)
@@ -428,7 +421,7 @@ TEST(Definition, HardCase20AFarBackdropLeavesNearRailsApart) {
         settings.config.flags |= tier == AGAA_TIER_GBUFFER ? AGAA_CONFIG_BUFFERED : 0;
         settings.width = 16;
         settings.height = 8;
-        settings.projection = perspective(0.4f, 1.5f, 0.1f, 2000); // a pixel is 0.7 m wide at 1 km
+        settings.projection = perspective(0.4f, 1.5f, 0.1f, 2000);                      // a pixel is 0.7 m wide at 1 km
         const float column = 2 * 1.5f * std::tan(0.5f * 0.4f * 3.14159265f / 180) / 16; // a pixel's width at 1 m
         std::vector<Triangle> scene;
         addSquare(scene, {0, 0, 1}, {1, 0, 0}, {0, 0, -1000}, 2000);

@@ -17,7 +17,7 @@ struct Card {
     uint32_t sharedBytes = 0;    // of a graphics card; 0: as it is
     bool hasWindow = false;      // types: 0 system memory, 1 the card's own, 2 a part of it that the host sees, full
     bool isFull = false;
-    bool isOwnFull = false;      // of a card with a window
+    bool isOwnFull = false;         // of a card with a window
     uint32_t typesOfImages = 0b111; // of its types
     uint32_t refused = 0;
     uint32_t warnings = 0; // that the host was told
@@ -25,7 +25,7 @@ struct Card {
     std::map<uint32_t, std::vector<VkDeviceSize>> sizes; // of allocations, by type
     std::vector<VkPipelineCache> caches;                 // of pipelines
     VkFormat lacked = VK_FORMAT_UNDEFINED;
-    VkResult ofFormats = VK_SUCCESS; // of questions for formats
+    VkResult ofFormats = VK_SUCCESS;                     // of questions for formats
     std::vector<std::pair<uint32_t, uint32_t>> barriers; // of memory, and of surfaces that had no layout, by call
     VkImage output = VK_NULL_HANDLE;                     // the host's, no surface
 };
@@ -65,7 +65,8 @@ VKAPI_ATTR void VKAPI_CALL memory(VkPhysicalDevice device, VkPhysicalDeviceMemor
 }
 
 void widen(VkMemoryRequirements* out, uint32_t types) {
-    card.largestSurface = std::max(card.largestSurface, (out->size + out->alignment - 1) / out->alignment * out->alignment);
+    card.largestSurface =
+        std::max(card.largestSurface, (out->size + out->alignment - 1) / out->alignment * out->alignment);
     if (card.hasWindow)
         out->memoryTypeBits = types;
 }
@@ -120,8 +121,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createPipelines(VkDevice device, VkPipelineCache 
     return realCreatePipelines(device, cache, count, infos, allocator, out);
 }
 
-template <class Function>
-PFN_vkVoidFunction instead(Function*& real, PFN_vkVoidFunction found, Function* ours) {
+template <class Function> PFN_vkVoidFunction instead(Function*& real, PFN_vkVoidFunction found, Function* ours) {
     real = reinterpret_cast<Function*>(found);
     return reinterpret_cast<PFN_vkVoidFunction>(ours);
 }
@@ -176,8 +176,9 @@ TEST(DeviceTest, CapabilitiesThatCannotBeReadAreAnError) {
         std::vector<LogLine> lines;
         const AgaaLog log = logInto(lines);
         AgaaDeviceCaps caps = untouched;
-        EXPECT_EQ(agaaVkGetDeviceCaps(sharedDevice().instance(), sharedDevice().physicalDevice(), getProcAddr, &log, &caps),
-                  result)
+        EXPECT_EQ(
+            agaaVkGetDeviceCaps(sharedDevice().instance(), sharedDevice().physicalDevice(), getProcAddr, &log, &caps),
+            result)
             << what;
         EXPECT_EQ(std::memcmp(&caps, &untouched, sizeof caps), 0) << what;
         expectOneSentence(lines, result, what);

@@ -23,9 +23,8 @@ ViewSettings settingsFor(uint32_t n, uint32_t c, const AgaaLayout* layout = null
 }
 
 // Values of a sample by channel, in [0,1], or in [-1,1] of a normal.
-std::array<double, ChannelCount> storedValues(
-    const Layout& layout, const GBufferPacking& packing,
-    const std::vector<std::vector<glm::uvec4>>& attachments, size_t sample) {
+std::array<double, ChannelCount> storedValues(const Layout& layout, const GBufferPacking& packing,
+                                              const std::vector<std::vector<glm::uvec4>>& attachments, size_t sample) {
     std::array<double, ChannelCount> raw{};
     for (size_t i = 0; i < ChannelCount; ++i) {
         const Field& f = packing.fields[i];
@@ -35,14 +34,13 @@ std::array<double, ChannelCount> storedValues(
     std::array<double, ChannelCount> out = raw;
     const double alpha2 = raw[ChannelRoughness];
     const glm::dvec3 n =
-        math_d::agaa_decodeOct({raw[ChannelNormalX], raw[ChannelNormalY]},
-                               packing.fields[ChannelNormalX].bits) *
+        math_d::agaa_decodeOct({raw[ChannelNormalX], raw[ChannelNormalY]}, packing.fields[ChannelNormalX].bits) *
         (layout.foldsRoughness() ? math_d::agaa_foldedLength(alpha2) : 1.0);
     for (int i = 0; i < 3; ++i)
         out[size_t(ChannelNormalX + i)] = n[i];
     if (layout.specularIsYCbCr()) {
-        const glm::dvec3 c = math_d::agaa_rgbToYCbCr(
-            {raw[ChannelSpecularR], raw[ChannelSpecularG], raw[ChannelSpecularB]});
+        const glm::dvec3 c =
+            math_d::agaa_rgbToYCbCr({raw[ChannelSpecularR], raw[ChannelSpecularG], raw[ChannelSpecularB]});
         for (int i = 0; i < 3; ++i)
             out[size_t(ChannelSpecularR + i)] = c[i];
     }
@@ -74,7 +72,7 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
         attachments.push_back(view.readSurface("gbuffer-" + std::to_string(i)));
     const auto words = view.readBuffer("aggregates");
     const auto metadata = plan.view.aggregates > 1 ? view.readSurface("metadata")
-                                              : std::vector<glm::uvec4>(plan.view.width * plan.view.height);
+                                                   : std::vector<glm::uvec4>(plan.view.width * plan.view.height);
     const Field& normal = source.fields[ChannelNormalX];
     const uint32_t growth = uint32_t(std::bit_width(n) - 1);
     size_t wrongMasks = 0, far = 0, inexact = 0, fields = 0, covered = 0;
@@ -87,8 +85,7 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
                 uint32_t mask = 0;
                 std::array<double, ChannelCount> sums{};
                 for (uint32_t i = 0; i < n; ++i) {
-                    const uint32_t id = uint32_t(planes >> i & 1) |
-                                        (c > 2 ? uint32_t(planes >> (n + i) & 1) << 1 : 0);
+                    const uint32_t id = uint32_t(planes >> i & 1) | (c > 2 ? uint32_t(planes >> (n + i) & 1) << 1 : 0);
                     const size_t s = view.sampleIndex(x, y, i);
                     if (id != a || attachments[normal.word][s][int(normal.shift)] == 0)
                         continue;
@@ -108,8 +105,7 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
                 for (size_t k = 0; k < ChannelCount; ++k) {
                     if (!packing.fields[k].bits)
                         continue;
-                    const double gpu = double(field(packing.fields[k],
-                                                    packing.fields[k].bits + growth));
+                    const double gpu = double(field(packing.fields[k], packing.fields[k].bits + growth));
                     ++fields;
                     inexact += gpu != sums[k];
                     far += std::fabs(gpu - sums[k]) > std::popcount(mask);
@@ -153,8 +149,7 @@ Rendered render(StageContext& context, const ViewSettings& settings) {
 double meanDifference(const harness::Image& a, const harness::Image& b) {
     double sum = 0;
     for (size_t i = 0; i < a.rgb.size(); ++i)
-        sum += std::fabs(double(a.rgb[i]) / (1 + double(a.rgb[i])) -
-                         double(b.rgb[i]) / (1 + double(b.rgb[i])));
+        sum += std::fabs(double(a.rgb[i]) / (1 + double(a.rgb[i])) - double(b.rgb[i]) / (1 + double(b.rgb[i])));
     return sum / double(a.rgb.size());
 }
 

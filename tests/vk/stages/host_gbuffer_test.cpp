@@ -13,7 +13,8 @@ namespace {
 std::string functionText(const Plan& plan) {
     return R"(
 struct HostSample { vec4 diffuseDepth, specularAlpha2, emissive, normal; };
-layout(std430, )" + std::string(FunctionBuffer::place) + R"() readonly buffer Samples { HostSample samples[]; } host;
+layout(std430, )" +
+           std::string(FunctionBuffer::place) + R"() readonly buffer Samples { HostSample samples[]; } host;
 bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) {
     HostSample h = host.samples[(pixel.y * )" +
            std::to_string(plan.view.width) + "u + pixel.x) * " + std::to_string(plan.view.samples) + R"(u + i];
@@ -47,18 +48,17 @@ std::vector<glm::vec4> decodedSamples(const StageView& drawn) {
                 };
                 const bool isCovered = value(ChannelNormalX, 0) != 0;
                 const float range = plan.view.layout.emissiveRange();
-                const glm::dvec3 n = math_d::agaa_decodeOct(
-                    {double(value(ChannelNormalX, 0)), double(value(ChannelNormalY, 0))},
-                    packing.fields[ChannelNormalX].bits);
+                const glm::dvec3 n =
+                    math_d::agaa_decodeOct({double(value(ChannelNormalX, 0)), double(value(ChannelNormalY, 0))},
+                                           packing.fields[ChannelNormalX].bits);
                 const glm::vec3 diffuse(value(ChannelDiffuseR, 0), value(ChannelDiffuseG, 0),
                                         value(ChannelDiffuseB, 0));
-                glm::vec3 emissive(value(ChannelEmissiveR, 0), value(ChannelEmissiveG, 0),
-                                   value(ChannelEmissiveB, 0));
+                glm::vec3 emissive(value(ChannelEmissiveR, 0), value(ChannelEmissiveG, 0), value(ChannelEmissiveB, 0));
                 if (plan.view.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
                     emissive = emissive.x * diffuse;
                 out.emplace_back(diffuse, isCovered ? std::bit_cast<float>(depth[at].x) : -1.0f);
-                out.emplace_back(value(ChannelSpecularR, 0), value(ChannelSpecularG, 0),
-                                 value(ChannelSpecularB, 0), value(ChannelRoughness, 1));
+                out.emplace_back(value(ChannelSpecularR, 0), value(ChannelSpecularG, 0), value(ChannelSpecularB, 0),
+                                 value(ChannelRoughness, 1));
                 out.emplace_back(range * emissive, 0);
                 out.emplace_back(glm::vec3(n), 0);
             }
@@ -80,8 +80,9 @@ private:
 struct GBufferHost : VulkanHost {
     using Samples = BufferSamples;
     static constexpr uint32_t shadowMaps = 0;
-    static constexpr GBufferRow rows[] = {{"single", 1}, {"fxaa", 1}, {"ssaa", 4}, {"sbaa", 8}, {"simple_complex", 4},
-                                          {"agaa", 1},   {"agaa", 4}, {"agaa", 8}, {"agaa", 32}, {"adaptive", 4}, {"adaptive", 8}};
+    static constexpr GBufferRow rows[] = {{"single", 1},         {"fxaa", 1},     {"ssaa", 4},    {"sbaa", 8},
+                                          {"simple_complex", 4}, {"agaa", 1},     {"agaa", 4},    {"agaa", 8},
+                                          {"agaa", 32},          {"adaptive", 4}, {"adaptive", 8}};
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HostGBufferCases, GBufferHost);
 

@@ -32,7 +32,8 @@ public:
         shown_ = arena_.hostBuffer(size_t(settings.width) * settings.height * 4 * sizeof(float),
                                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true);
         set_.write({(VkBuffer)surface.buffer, shown_.buffer.get()});
-        pass_.emplace(device, set_.layout(), hostShadingText(viewDesc(settings), context.caps(), declarations(settings), light),
+        pass_.emplace(device, set_.layout(),
+                      hostShadingText(viewDesc(settings), context.caps(), declarations(settings), light),
                       "host shading");
     }
 
@@ -49,14 +50,17 @@ public:
                 VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT);
     }
 
-    void clear() const { std::memset(shown_.mapped, 0xFF, size_t(settings_.width) * settings_.height * 4 * sizeof(float)); }
+    void clear() const {
+        std::memset(shown_.mapped, 0xFF, size_t(settings_.width) * settings_.height * 4 * sizeof(float));
+    }
     std::vector<float> rgba() const {
         const auto* first = reinterpret_cast<const float*>(shown_.mapped);
         return {first, first + size_t(settings_.width) * settings_.height * 4};
     }
 
 private:
-    static void barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to, VkAccessFlags reads) {
+    static void barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to,
+                        VkAccessFlags reads) {
         VkMemoryBarrier b{};
         b.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
         b.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;

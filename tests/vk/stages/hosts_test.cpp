@@ -23,8 +23,8 @@ ViewSettings settingsFor(const char* technique) {
     return settings;
 }
 
-std::vector<float> pixels(const HostOptions& options, const ViewSettings& settings,
-                          bool splitSegments = false, uint32_t frames = 1) {
+std::vector<float> pixels(const HostOptions& options, const ViewSettings& settings, bool splitSegments = false,
+                          uint32_t frames = 1) {
     StageContext context(options);
     StageView view(context, settings);
     view.setTriangles(randomTriangles({.triangles = 200}, 11));
@@ -193,15 +193,12 @@ TEST_P(HostsTest, OutputLayoutsAreLeftAsAsked) {
     StageView view(context, settingsFor(GetParam()));
     view.setTriangles(randomTriangles({.triangles = 50}, 12));
     // Validation knows the layout that the image is in; reading wants TRANSFER_SRC.
-    view.render(view.frame(),
-                [](AgaaVkFrame& vk) { vk.outputLayoutOut = VK_IMAGE_LAYOUT_GENERAL; });
+    view.render(view.frame(), [](AgaaVkFrame& vk) { vk.outputLayoutOut = VK_IMAGE_LAYOUT_GENERAL; });
     view.render(view.frame(), [](AgaaVkFrame& vk) {
         vk.outputLayoutIn = VK_IMAGE_LAYOUT_GENERAL;
         vk.outputLayoutOut = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     });
-    view.render(view.frame(), [](AgaaVkFrame& vk) {
-        vk.outputLayoutIn = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    });
+    view.render(view.frame(), [](AgaaVkFrame& vk) { vk.outputLayoutIn = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; });
     EXPECT_EQ(view.image().rgb.size(), size_t(48 * 32 * 3));
 }
 
@@ -249,8 +246,7 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
     constexpr VkImageAspectFlags aspects = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
     const auto use = [&](uint32_t layout) {
         return harness::vk::ImageUse{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
-                                     VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT,
-                                     VkImageLayout(layout)};
+                                     VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT, VkImageLayout(layout)};
     };
     const auto readable = use(VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
     const AgaaLight light = sun();
@@ -260,13 +256,11 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
         sharedDevice().runCommands([&](VkCommandBuffer commands) {
             AgaaVkFrame vk = view.vkFrame(commands);
             if (segments != AGAA_SEGMENT_PREPASS)
-                harness::vk::imageBarrier(commands, image, aspects, readable,
-                                          use(surface.layouts[0]));
+                harness::vk::imageBarrier(commands, image, aspects, readable, use(surface.layouts[0]));
             frame.segments = segments;
             ASSERT_EQ(agaaVkRecordFrame(view.get(), &frame, &vk), AGAA_OK);
             const bool isFirst = segments == AGAA_SEGMENT_PREPASS;
-            harness::vk::imageBarrier(commands, image, aspects, use(surface.layouts[isFirst ? 0 : 2]),
-                                      readable);
+            harness::vk::imageBarrier(commands, image, aspects, use(surface.layouts[isFirst ? 0 : 2]), readable);
         });
     };
     record(AGAA_SEGMENT_PREPASS);
@@ -290,8 +284,7 @@ TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
         GTEST_SKIP() << "a filter carries ties to pixels around them";
     StageContext context;
     ViewSettings settings = settingsFor(GetParam());
-    std::vector<Triangle> scene =
-        randomTriangles({.triangles = 200, .duplicates = 0.1f, .masked = 0.2f}, 14);
+    std::vector<Triangle> scene = randomTriangles({.triangles = 200, .duplicates = 0.1f, .masked = 0.2f}, 14);
     std::vector<Triangle> shuffled = scene;
     for (size_t i = 0; i < scene.size(); ++i)
         scene[i].seed = shuffled[i].seed = uint32_t(i + 1);
@@ -357,7 +350,8 @@ TEST(Validation, TellsOfObjectsThatAreLeft) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HostsTest,
-                         testing::Values("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "adaptive"));
+                         testing::Values("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa",
+                                         "adaptive"));
 
 } // namespace
 } // namespace agaa::test

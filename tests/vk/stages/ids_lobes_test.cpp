@@ -10,8 +10,9 @@
 namespace agaa::test {
 namespace {
 
-// Normals that spread in one direction, several to a pixel, shine in a streak; a lobe as wide in all directions blurs it.
-// In the mean along the streak, where samples do not tell, the elliptic one has the profile of shading every sample.
+// Normals that spread in one direction, several to a pixel, shine in a streak; a lobe as wide in all directions blurs
+// it. In the mean along the streak, where samples do not tell, the elliptic one has the profile of shading every
+// sample.
 TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
     StageContext context;
     std::vector<Triangle> triangles;
@@ -64,7 +65,8 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
     }
 }
 
-// A curved thing as flat triangles, by four times as many a step: their normals are those of one surface, at their places.
+// A curved thing as flat triangles, by four times as many a step: their normals are those of one surface, at their
+// places.
 std::vector<Triangle> cut(std::vector<Triangle> triangles, int steps) {
     for (; steps > 0; --steps) {
         std::vector<Triangle> quarters;
@@ -130,11 +132,14 @@ TEST(IdsLobes, CurvedPrimitivesShowWhatSmallFlatOnesShow) {
             // One aggregate of one primitive; several of primitives about as large as pixels.
             const int coarse = c > 1 ? 5 : 0;
             const harness::Image fine = shown(waves, 7, c, ndf);
-            const double without = error(fine, shown(waves, coarse, c, ndf)), with = error(fine, shown(told, coarse, c, ndf));
-            std::printf("ndf %u, c = %u: mseTm against small triangles %.2e, with derivatives %.2e\n", ndf, c, without, with);
+            const double without = error(fine, shown(waves, coarse, c, ndf)),
+                         with = error(fine, shown(told, coarse, c, ndf));
+            std::printf("ndf %u, c = %u: mseTm against small triangles %.2e, with derivatives %.2e\n", ndf, c, without,
+                        with);
             EXPECT_LT(with, 0.12 * without);
         }
-    const Difference d = compare(shown(told, 0, 1, AGAA_NDF_TOKSVIG), shown(told, 0, 1, AGAA_NDF_TOKSVIG, AGAA_CONFIG_BUFFERED));
+    const Difference d =
+        compare(shown(told, 0, 1, AGAA_NDF_TOKSVIG), shown(told, 0, 1, AGAA_NDF_TOKSVIG, AGAA_CONFIG_BUFFERED));
     std::printf("fused against buffered: %.1f dB, %.4f %% of pixels far\n", d.psnr, 100 * d.farPixels);
     EXPECT_GE(d.psnr, 50);
     // What is no number tells nothing.

@@ -250,7 +250,8 @@ TEST(Ids, BadFunctionsAreRefusedInASentence) {
         std::function<void(AgaaFetchFunction&, ViewSettings&)> spoil;
     };
     static AgaaGBufferFunction gbuffer = AGAA_GBUFFER_FUNCTION_INIT;
-    gbuffer.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
+    gbuffer.glsl =
+        "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
     const Row rows[] = {
         {"no text", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = nullptr; }},
         {"does not compile", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = "float x = ;"; }},

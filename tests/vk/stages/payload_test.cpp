@@ -61,16 +61,41 @@ VKAPI_ATTR VkResult VKAPI_CALL createBuffer(VkDevice device, const VkBufferCreat
 // Views are not drawn: shaders that do nothing replace those of the passes, which tests of frames compile.
 VKAPI_ATTR VkResult VKAPI_CALL createShaderModule(VkDevice device, const VkShaderModuleCreateInfo* info,
                                                   const VkAllocationCallbacks* allocator, VkShaderModule* shader) {
-    static constexpr uint32_t words[] = {
-        0x07230203, 0x00010000, 0, 5, 0,
-        2 << 16 | 17, 1,                       // OpCapability Shader
-        3 << 16 | 14, 0, 1,                    // OpMemoryModel Logical GLSL450
-        5 << 16 | 15, 5, 1, 0x6E69616D, 0,     // OpEntryPoint GLCompute %1 "main"
-        6 << 16 | 16, 1, 17, 1, 1, 1,          // OpExecutionMode %1 LocalSize 1 1 1
-        2 << 16 | 19, 2,                       // %2 = OpTypeVoid
-        3 << 16 | 33, 3, 2,                    // %3 = OpTypeFunction %2
-        5 << 16 | 54, 2, 1, 0, 3,              // %1 = OpFunction %2 None %3
-        2 << 16 | 248, 4, 1 << 16 | 253, 1 << 16 | 56}; // OpLabel, OpReturn, OpFunctionEnd
+    static constexpr uint32_t words[] = {0x07230203,
+                                         0x00010000,
+                                         0,
+                                         5,
+                                         0,
+                                         2 << 16 | 17,
+                                         1, // OpCapability Shader
+                                         3 << 16 | 14,
+                                         0,
+                                         1, // OpMemoryModel Logical GLSL450
+                                         5 << 16 | 15,
+                                         5,
+                                         1,
+                                         0x6E69616D,
+                                         0, // OpEntryPoint GLCompute %1 "main"
+                                         6 << 16 | 16,
+                                         1,
+                                         17,
+                                         1,
+                                         1,
+                                         1, // OpExecutionMode %1 LocalSize 1 1 1
+                                         2 << 16 | 19,
+                                         2, // %2 = OpTypeVoid
+                                         3 << 16 | 33,
+                                         3,
+                                         2, // %3 = OpTypeFunction %2
+                                         5 << 16 | 54,
+                                         2,
+                                         1,
+                                         0,
+                                         3, // %1 = OpFunction %2 None %3
+                                         2 << 16 | 248,
+                                         4,
+                                         1 << 16 | 253,
+                                         1 << 16 | 56}; // OpLabel, OpReturn, OpFunctionEnd
     VkShaderModuleCreateInfo nothing = *info;
     nothing.codeSize = sizeof words;
     nothing.pCode = words;

@@ -223,7 +223,8 @@ TEST(Shading, AgreesForBothLobesLayoutsAndFilters) {
         for (const char* layout : {"precise", "paper16"})
             expectOracle({.brdf = brdf, .layout = layout}, scene(33));
     expectOracle({.ndf = AGAA_NDF_NONE}, scene(33));
-    for (uint64_t flag : {AGAA_MEASURE_NO_DIFFUSE_FILTER, AGAA_MEASURE_NO_SHADOW_FILTER, AGAA_MEASURE_SHADOW_ALONG_DEPTH})
+    for (uint64_t flag :
+         {AGAA_MEASURE_NO_DIFFUSE_FILTER, AGAA_MEASURE_NO_SHADOW_FILTER, AGAA_MEASURE_SHADOW_ALONG_DEPTH})
         expectOracle({.flags = flag}, scene(33));
     for (uint32_t taps : {1u, 3u, 32u})
         expectOracle({.samples = 16, .shadowTaps = taps}, scene(33));

@@ -31,8 +31,7 @@ struct VulkanHost {
     static constexpr bool runsAll = true;
 
     // Of a context that change(desc) changes.
-    template <class Change>
-    static HostOptions changed(const Change& change) { return {.change = change}; }
+    template <class Change> static HostOptions changed(const Change& change) { return {.change = change}; }
     // Whether turns of a group that have nothing to do are skipped.
     static constexpr bool endsRepetitions = false;
     static bool skips(const Context& context) {
@@ -43,8 +42,7 @@ struct VulkanHost {
     static std::vector<float> rgba(const View& view) { return withAlpha(view.image().rgb); }
     static ShadowMap shadowMap(const Context&, float depth) { return ShadowMap({depth}, 4); }
     static void setShadowMap(Frame& frame, const ShadowMap& map) { frame.shadowViews[0] = map.view(); }
-    template <class Work>
-    static void run(View& view, const Work& work) {
+    template <class Work> static void run(View& view, const Work& work) {
         sharedDevice().runCommands([&](VkCommandBuffer commands) {
             Frame frame = view.vkFrame(commands);
             work(frame);

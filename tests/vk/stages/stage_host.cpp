@@ -285,32 +285,33 @@ void StageView::makePipelines() {
         layout.pPushConstantRanges = &push;
         made.layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layout, "create a pipeline layout");
         for (int masked : {0, 1}) {
-            const std::string text =
-                rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
-                                  shaderDefines(settings_, pass.pass, masked != 0) + pass.glslDeclarations + fragmentText);
+            const std::string text = rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
+                                                                      shaderDefines(settings_, pass.pass, masked != 0) +
+                                                                      pass.glslDeclarations + fragmentText);
             made.fragments[masked] = makeShader(device, ShaderStage::Fragment, text, pass.name);
             PipelineState state(pass, masked != 0);
             state.vertexLocations = 0;
             if (pass.glslGeometry && !made.geometry)
-                made.geometry = makeShader(device, ShaderStage::Geometry,
-                                           rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
-                                                             pass.glslGeometry +
-                                                             (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)),
-                                           pass.name);
+                made.geometry =
+                    makeShader(device, ShaderStage::Geometry,
+                               rasterisedInOrder(
+                                   settings_, std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry +
+                                                  (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)),
+                               pass.name);
             state.geometry = made.geometry.get();
             if (pass.glslVertex && !made.pulling)
-                made.pulling = makeShader(device, ShaderStage::Vertex,
-                                          rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
-                                                            shaderDefines(settings_, pass.pass, false) + pass.glslVertex +
-                                                            pullingText),
-                                          pass.name);
+                made.pulling =
+                    makeShader(device, ShaderStage::Vertex,
+                               rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
+                                                                shaderDefines(settings_, pass.pass, false) +
+                                                                pass.glslVertex + pullingText),
+                               pass.name);
             if (pass.state.vertexPulling)
                 state.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
             const auto renderPass = (VkRenderPass)pass.native.renderPass;
             made.pipelines[masked] =
                 state.create(device, (made.pulling ? made.pulling : vertex_).get(), made.fragments[masked].get(),
-                             made.layout.get(), renderPass,
-                             renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
+                             made.layout.get(), renderPass, renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
         }
     }
 }
@@ -319,9 +320,8 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
     const size_t count = std::max<size_t>(triangles.size(), 1);
     vertices_ = arena_.hostBuffer(count * 3 * 2 * sizeof(glm::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     materials_ = arena_.hostBuffer(count * sizeof(Material), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    for (uint32_t pass :
-         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD,
-          AGAA_DRAW_PASS_FRAGMENTS})
+    for (uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER,
+                          AGAA_DRAW_PASS_FORWARD, AGAA_DRAW_PASS_FRAGMENTS})
         runs_[pass] = drawRuns(settings_, triangles, pass);
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];

@@ -112,7 +112,7 @@ public:
     // Makes the draw callback of a pass return this; a pass that is called counts.
     std::map<uint32_t, AgaaResult> drawResults;
     uint32_t drawCalls = 0;
-    std::vector<uint32_t> batches; // of the calls
+    std::vector<uint32_t> batches;     // of the calls
     std::vector<AgaaDrawState> states; // of the calls
 
 private:

@@ -4,8 +4,7 @@ using namespace harness::vk;
 
 namespace agaa::test {
 
-StorageSet::StorageSet(const Device& device, uint32_t count, VkShaderStageFlags stages)
-    : device_(device.get()) {
+StorageSet::StorageSet(const Device& device, uint32_t count, VkShaderStageFlags stages) : device_(device.get()) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     for (uint32_t i = 0; i < count; ++i)
         bindings.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, stages, nullptr});
@@ -13,8 +12,7 @@ StorageSet::StorageSet(const Device& device, uint32_t count, VkShaderStageFlags 
     layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     layout.bindingCount = count;
     layout.pBindings = bindings.data();
-    layout_ = make<DescriptorSetLayout>(device_, vkCreateDescriptorSetLayout, layout,
-                                        "create a set layout");
+    layout_ = make<DescriptorSetLayout>(device_, vkCreateDescriptorSetLayout, layout, "create a set layout");
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count};
     set_ = DescriptorSet(device_, layout_.get(), {&size, 1});
 }

@@ -96,8 +96,10 @@ std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resourc
 std::vector<uint32_t> readImage(const Device& device, const Resource& resource, VkImage image) {
     Arena arena(device);
     const BufferResource out = arena.hostBuffer(resource.bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, true);
-    constexpr ImageUse shown{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_WRITE_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-    constexpr ImageUse copied{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    constexpr ImageUse shown{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_WRITE_BIT,
+                             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    constexpr ImageUse copied{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT,
+                              VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
     constexpr ImageUse shownAgain{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_READ_BIT, shown.layout};
     device.runCommands([&](VkCommandBuffer commands) {
         imageBarrier(commands, image, VK_IMAGE_ASPECT_COLOR_BIT, shown, copied);

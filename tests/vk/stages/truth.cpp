@@ -5,8 +5,7 @@
 
 namespace agaa::test {
 
-Truth visibleTriangles(StageContext& context, const ViewSettings& like,
-                       const std::vector<Triangle>& triangles) {
+Truth visibleTriangles(StageContext& context, const ViewSettings& like, const std::vector<Triangle>& triangles) {
     AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout("paper16", &layout);
     for (uint32_t i = 0; i < layout.attributeCount; ++i)
@@ -41,8 +40,8 @@ Truth visibleTriangles(StageContext& context, const ViewSettings& like,
         for (uint32_t x = 0; x < truth.width; ++x)
             for (uint32_t i = 0; i < truth.samples; ++i) {
                 const size_t s = view.sampleIndex(x, y, i);
-                const uint32_t id = byte(ChannelDiffuseR, s) | byte(ChannelDiffuseG, s) << 8 |
-                                    byte(ChannelDiffuseB, s) << 16;
+                const uint32_t id =
+                    byte(ChannelDiffuseR, s) | byte(ChannelDiffuseG, s) << 8 | byte(ChannelDiffuseB, s) << 16;
                 truth.triangle.push_back(id - 1); // 0: none
             }
     return truth;

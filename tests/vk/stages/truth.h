@@ -11,14 +11,11 @@ struct Truth {
     uint32_t width = 0, height = 0, samples = 0;
     std::vector<uint32_t> triangle; // (y width + x) samples + i
 
-    uint32_t at(uint32_t x, uint32_t y, uint32_t i) const {
-        return triangle[(size_t(y) * width + x) * samples + i];
-    }
+    uint32_t at(uint32_t x, uint32_t y, uint32_t i) const { return triangle[(size_t(y) * width + x) * samples + i]; }
 };
 
 // Renders primitive ids into a multisampled G-buffer of the same tier, by a technique that does not
 // aggregate.
-Truth visibleTriangles(StageContext& context, const ViewSettings& like,
-                       const std::vector<Triangle>& triangles);
+Truth visibleTriangles(StageContext& context, const ViewSettings& like, const std::vector<Triangle>& triangles);
 
 } // namespace agaa::test

@@ -9,7 +9,8 @@ namespace agaa::conformance {
 
 std::vector<AgaaCapability> capabilitiesOf(Test& test, const AgaaDeviceCaps* caps) {
     uint32_t count = 0;
-    test.requireOk(test.sdk.agaaQueryCapabilities(caps, &count, nullptr), "agaaQueryCapabilities with capabilities = null");
+    test.requireOk(test.sdk.agaaQueryCapabilities(caps, &count, nullptr),
+                   "agaaQueryCapabilities with capabilities = null");
     const AgaaCapability initial = AGAA_CAPABILITY_INIT;
     std::vector<AgaaCapability> rows(count, initial);
     test.requireOk(test.sdk.agaaQueryCapabilities(caps, &count, rows.data()), "agaaQueryCapabilities");
@@ -20,8 +21,8 @@ std::vector<AgaaCapability> capabilitiesOf(Test& test, const AgaaDeviceCaps* cap
 namespace {
 
 std::string nameOf(const AgaaCapability& row) {
-    return std::string("the capability of \"") + (row.technique ? row.technique : "null") + "\", n = " +
-           std::to_string(row.samples) + ", stage " + std::to_string(row.stage);
+    return std::string("the capability of \"") + (row.technique ? row.technique : "null") +
+           "\", n = " + std::to_string(row.samples) + ", stage " + std::to_string(row.stage);
 }
 
 template <class Check> void forEachRow(Test& test, const Check& check) {
@@ -65,7 +66,8 @@ void testCapsNull(Test& test) {
 // The call writes only count.
 void testCapabilitiesNull(Test& test) {
     uint32_t count = 0;
-    test.result(test.sdk.agaaQueryCapabilities(nullptr, &count, nullptr), AGAA_OK, "agaaQueryCapabilities with capabilities = null");
+    test.result(test.sdk.agaaQueryCapabilities(nullptr, &count, nullptr), AGAA_OK,
+                "agaaQueryCapabilities with capabilities = null");
     test.check(count > 0, "agaaQueryCapabilities with capabilities = null returns no count.");
     const uint32_t first = count;
     count = 1;
@@ -134,7 +136,8 @@ void testTooSmall(Test& test) {
         test.check(count == length && rows[0].samples == 777, "agaaQueryCapabilities fails and writes.");
     }
     uint32_t count = uint32_t(rows.size()) + 5;
-    test.result(test.sdk.agaaQueryCapabilities(nullptr, &count, rows.data()), AGAA_OK, "agaaQueryCapabilities with a longer array");
+    test.result(test.sdk.agaaQueryCapabilities(nullptr, &count, rows.data()), AGAA_OK,
+                "agaaQueryCapabilities with a longer array");
     test.check(count == rows.size(), "agaaQueryCapabilities does not return the number of entries.");
 }
 
@@ -147,13 +150,15 @@ void testArraySteps(Test& test) {
     for (size_t i = 0; i < expected.size(); ++i)
         test.sdk.agaaInitCapability(element(i), stride);
     uint32_t count = uint32_t(expected.size());
-    test.requireOk(test.sdk.agaaQueryCapabilities(nullptr, &count, element(0)), "agaaQueryCapabilities with larger elements");
+    test.requireOk(test.sdk.agaaQueryCapabilities(nullptr, &count, element(0)),
+                   "agaaQueryCapabilities with larger elements");
     for (size_t i = 0; i < expected.size(); ++i) {
         AgaaCapability got = *element(i);
         test.check(got.structSize == stride, "agaaQueryCapabilities changes structSize of an element.");
         got.structSize = sizeof got;
         test.check(std::memcmp(&got, &expected[i], sizeof got) == 0,
-                   "agaaQueryCapabilities does not step by the caller's structSize: element " + std::to_string(i) + " differs.");
+                   "agaaQueryCapabilities does not step by the caller's structSize: element " + std::to_string(i) +
+                       " differs.");
     }
     test.check(array.findDifference(expected.size() * stride, array.size(), Bytes::pattern) == array.size(),
                "agaaQueryCapabilities writes beyond an array of larger elements.");
@@ -168,9 +173,10 @@ std::vector<AgaaDeviceCaps> capsOfDevices(Test& test) {
     const AgaaDeviceCaps ideal = ViewParts(test.sdk, nullptr).caps;
     std::vector<AgaaDeviceCaps> all;
     for (const uint32_t counts : {0x3Fu, 0x0Fu, 0x05u, 0x01u, 0x3Eu, 0u})
-        for (const uint64_t without : {UINT64_C(0), uint64_t(AGAA_DEVICE_POST_DEPTH_COVERAGE),
-                                       AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_SAMPLE_RATE_SHADING,
-                                       uint64_t(AGAA_DEVICE_FRAGMENT_ATOMICS), uint64_t(AGAA_DEVICE_GEOMETRY_SHADERS), idealDeviceFlags}) {
+        for (const uint64_t without :
+             {UINT64_C(0), uint64_t(AGAA_DEVICE_POST_DEPTH_COVERAGE),
+              AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_SAMPLE_RATE_SHADING, uint64_t(AGAA_DEVICE_FRAGMENT_ATOMICS),
+              uint64_t(AGAA_DEVICE_GEOMETRY_SHADERS), idealDeviceFlags}) {
             all.push_back(ideal);
             all.back().sampleCounts = counts;
             all.back().flags &= ~without;

@@ -36,10 +36,14 @@ void testNullPointers(Test& test) {
     expect("agaaQueryTarget", "outTarget = null", test.sdk.agaaQueryTarget(view, nullptr, log.get(), nullptr));
     expect("agaaPlanToJson", "view = null", test.sdk.agaaPlanToJson(nullptr, nullptr, log.get(), &size, nullptr));
     expect("agaaPlanToJson", "size = null", test.sdk.agaaPlanToJson(view, nullptr, log.get(), nullptr, nullptr));
-    expect("agaaGetAggregateGlsl", "view = null", test.sdk.agaaGetAggregateGlsl(nullptr, nullptr, log.get(), &size, nullptr));
-    expect("agaaGetAggregateGlsl", "size = null", test.sdk.agaaGetAggregateGlsl(view, nullptr, log.get(), nullptr, nullptr));
+    expect("agaaGetAggregateGlsl", "view = null",
+           test.sdk.agaaGetAggregateGlsl(nullptr, nullptr, log.get(), &size, nullptr));
+    expect("agaaGetAggregateGlsl", "size = null",
+           test.sdk.agaaGetAggregateGlsl(view, nullptr, log.get(), nullptr, nullptr));
     expect("agaaGetCoverageGlsl", "size = null", test.sdk.agaaGetCoverageGlsl(log.get(), nullptr, nullptr));
-    const auto silent = [&](const char* what, AgaaResult result) { test.result(result, AGAA_ERROR_INVALID_ARGUMENT, what); };
+    const auto silent = [&](const char* what, AgaaResult result) {
+        test.result(result, AGAA_ERROR_INVALID_ARGUMENT, what);
+    };
     uint32_t tier = 0;
     silent("agaaGetBuiltinLayout with name = null", test.sdk.agaaGetBuiltinLayout(nullptr, &parts.layout));
     silent("agaaGetBuiltinLayout with outLayout = null", test.sdk.agaaGetBuiltinLayout("precise", nullptr));
@@ -69,8 +73,10 @@ void testNoCallback(Test& test) {
         ViewParts parts(test.sdk, nullptr);
         row.corrupt(parts);
         for (const AgaaLog* pointer : {static_cast<const AgaaLog*>(nullptr), static_cast<const AgaaLog*>(&log)})
-            test.result(test.sdk.agaaQueryMemory(parts.get(), &parts.caps, pointer, nullptr, nullptr, nullptr), row.expected,
-                        callWith("agaaQueryMemory", row.what) + (pointer ? " and AgaaLog::callback = null" : " and log = null"));
+            test.result(test.sdk.agaaQueryMemory(parts.get(), &parts.caps, pointer, nullptr, nullptr, nullptr),
+                        row.expected,
+                        callWith("agaaQueryMemory", row.what) +
+                            (pointer ? " and AgaaLog::callback = null" : " and log = null"));
     }
     ViewParts parts(test.sdk, nullptr);
     test.result(test.sdk.agaaQueryMemory(&parts.desc, nullptr, &log, nullptr, nullptr, nullptr), AGAA_OK,
@@ -121,7 +127,9 @@ const std::vector<Change>& extremes() {
         [](ViewParts& p) { p.caps.sampleCounts = 0xFFFFFFFF, p.caps.maxSharedBytes = 0xFFFFFFFF; },
         [](ViewParts& p) { p.caps.sampleCounts = 0, p.caps.maxImageSize = 0, p.caps.maxStorageRange = 0; },
         [](ViewParts& p) { p.caps.maxImageSize = 0xFFFFFFFF, p.caps.maxStorageRange = ~UINT64_C(0); },
-        [](ViewParts& p) { p.desc.width = p.desc.height = p.caps.maxImageSize = 0xFFFFFFFF, p.caps.maxStorageRange = ~UINT64_C(0); },
+        [](ViewParts& p) {
+            p.desc.width = p.desc.height = p.caps.maxImageSize = 0xFFFFFFFF, p.caps.maxStorageRange = ~UINT64_C(0);
+        },
         [](ViewParts& p) { p.chainAlone(p.gbuffer); },
         [](ViewParts& p) { p.chainAlone(p.fetch), p.fetch.flags = AGAA_FETCH_NOT_ALL_DRAWS; },
         [](ViewParts& p) { p.chainAlone(p.fetch), p.fetch.maxDraws = 0xFFFFFFFF, p.fetch.maxPrimitives = 1; },
@@ -133,9 +141,10 @@ const std::vector<Change>& extremes() {
 void testNoInternalError(Test& test) {
     std::vector<ViewQuery> queries = viewQueries();
     queries.push_back(aggregateGlslQuery);
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
-        for (const uint32_t samples : hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128}
-                                                                    : std::vector<uint32_t>{1, 4, 32})
+    for (const char* technique :
+         {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+        for (const uint32_t samples :
+             hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128} : std::vector<uint32_t>{1, 4, 32})
             for (const uint32_t aggregates : {1u, 4u})
                 for (size_t i = 0; i < extremes().size(); ++i) {
                     ViewParts parts(test.sdk, nullptr);
@@ -146,8 +155,9 @@ void testNoInternalError(Test& test) {
                     for (const ViewQuery& query : queries) {
                         LogRecorder log;
                         const AgaaResult result = query.call(test.sdk, &parts.desc, &parts.caps, log.get());
-                        const std::string what = callWith(query.name, std::string("\"") + technique + "\", n = " +
-                                                                          std::to_string(samples) + ", extreme " + std::to_string(i));
+                        const std::string what =
+                            callWith(query.name, std::string("\"") + technique + "\", n = " + std::to_string(samples) +
+                                                     ", extreme " + std::to_string(i));
                         if (result == AGAA_OK)
                             continue;
                         const bool isNamed = result == AGAA_ERROR_UNSUPPORTED || result == AGAA_ERROR_TOO_LARGE;
@@ -179,7 +189,8 @@ void addConventionCases(Suite& suite) {
         for (const HeaderCase& c : coreHeaders())
             testChain(test, c);
     });
-    suite.core("conventions/AGAA_ERROR_OUT_OF_RANGE", [](Test& test) { testWrongViewsOf(test, AGAA_ERROR_OUT_OF_RANGE); });
+    suite.core("conventions/AGAA_ERROR_OUT_OF_RANGE",
+               [](Test& test) { testWrongViewsOf(test, AGAA_ERROR_OUT_OF_RANGE); });
     suite.core("conventions/AGAA_ERROR_INTERNAL", testNoInternalError);
     suite.core("AgaaLog.callback/null", testNoCallback);
     suite.core("AgaaLog.callback/messages", testMessages);

@@ -11,9 +11,9 @@ struct GoalParts : ViewParts {
     AgaaGoal goal;
     AgaaMeasuredSettings measured[2]; // "single" and "ssaa", n=8, with errors and times; useMeasured() adds them to the
                                       // goal
-    AgaaObservation observation; // an observation of "ssaa", n=8
-    AgaaChoice current;          // "ssaa", n=8
-    AgaaChoice choice;           // initialised
+    AgaaObservation observation;      // an observation of "ssaa", n=8
+    AgaaChoice current;               // "ssaa", n=8
+    AgaaChoice choice;                // initialised
     AgaaFrameStatistics statistics;
 
     void useMeasured() {

@@ -37,7 +37,9 @@ GoalParts::GoalParts(const Functions& sdk) : ViewParts(sdk, nullptr) {
 namespace {
 
 bool isSameChoice(const AgaaChoice& a, const AgaaChoice& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-bool isSameObservation(const AgaaObservation& a, const AgaaObservation& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool isSameObservation(const AgaaObservation& a, const AgaaObservation& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
 // ---- agaaObserve ---------------------------------------------------------------------------------
 
@@ -49,7 +51,8 @@ void testObserveNulls(Test& test) {
     test.check(isSameObservation(ideal.observation, without.observation),
                "agaaObserve differs for caps = null and an ideal device.");
     without.desc.width = 0;
-    test.result(without.observe(test, nullptr), AGAA_ERROR_OUT_OF_RANGE, "agaaObserve with log = null and AgaaViewDesc::width = 0");
+    test.result(without.observe(test, nullptr), AGAA_ERROR_OUT_OF_RANGE,
+                "agaaObserve with log = null and AgaaViewDesc::width = 0");
 }
 
 struct WrongStatistics {
@@ -70,7 +73,8 @@ const WrongStatistics wrongStatistics[] = {
     {"AgaaObservation::sType = 0", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.observation.sType = 0; }},
     {"too many passes", AGAA_ERROR_OUT_OF_RANGE, [](GoalParts& p) { p.statistics.passCount = AGAA_MAX_PASSES + 1; }},
     {"a negative time", AGAA_ERROR_OUT_OF_RANGE, [](GoalParts& p) { timeOne(p, -0.001); }},
-    {"an infinite time", AGAA_ERROR_OUT_OF_RANGE, [](GoalParts& p) { timeOne(p, std::numeric_limits<double>::infinity()); }},
+    {"an infinite time", AGAA_ERROR_OUT_OF_RANGE,
+     [](GoalParts& p) { timeOne(p, std::numeric_limits<double>::infinity()); }},
     {"a time that is not a number", AGAA_ERROR_OUT_OF_RANGE,
      [](GoalParts& p) { timeOne(p, std::numeric_limits<double>::quiet_NaN()); }},
 };
@@ -84,7 +88,8 @@ void testWrongStatistics(Test& test, AgaaResult error) {
         row.corrupt(parts);
         const AgaaObservation before = parts.observation;
         LogRecorder log;
-        expectRefused(test, parts.observe(test, log.get()), row.expected, log, "agaaObserve", callWith("agaaObserve", row.what));
+        expectRefused(test, parts.observe(test, log.get()), row.expected, log, "agaaObserve",
+                      callWith("agaaObserve", row.what));
         test.check(isSameObservation(before, parts.observation), callWith("agaaObserve", row.what) + " writes.");
     }
 }
@@ -127,9 +132,11 @@ void testChooseNulls(Test& test) {
     test.sdk.agaaInitChoice(&ideal.current, sizeof ideal.current);
     test.sdk.agaaInitObservation(&ideal.observation, sizeof ideal.observation);
     test.requireOk(ideal.choose(test, nullptr), "agaaChooseSettings with log = null");
-    test.requireOk(test.sdk.agaaChooseSettings(nulls.get(), nullptr, nullptr, &nulls.goal, nullptr, nullptr, &nulls.choice),
-                   "agaaChooseSettings with caps, observation and current = null");
-    test.check(std::string(ideal.choice.reason) == nulls.choice.reason && nulls.choice.technique && nulls.choice.hasChanged == 1,
+    test.requireOk(
+        test.sdk.agaaChooseSettings(nulls.get(), nullptr, nullptr, &nulls.goal, nullptr, nullptr, &nulls.choice),
+        "agaaChooseSettings with caps, observation and current = null");
+    test.check(std::string(ideal.choice.reason) == nulls.choice.reason && nulls.choice.technique &&
+                   nulls.choice.hasChanged == 1,
                "agaaChooseSettings differs for null and for initialised structs.");
     nulls.desc.width = 0;
     test.result(nulls.choose(test, nullptr), AGAA_ERROR_OUT_OF_RANGE,
@@ -143,14 +150,16 @@ struct WrongGoal {
 };
 
 const WrongGoal wrongGoals[] = {
-    {"an unknown technique in current", AGAA_ERROR_INVALID_ARGUMENT, [](GoalParts& p) { p.current.technique = "ssaaa"; }},
+    {"an unknown technique in current", AGAA_ERROR_INVALID_ARGUMENT,
+     [](GoalParts& p) { p.current.technique = "ssaaa"; }},
     {"other samples in current", AGAA_ERROR_INVALID_ARGUMENT, [](GoalParts& p) { p.current.samples = 7; }},
     {"two functions that exclude each other", AGAA_ERROR_INVALID_ARGUMENT,
      [](GoalParts& p) {
          p.chain(p.fetch);
          p.chain(p.gbuffer);
      }},
-    {"AgaaGoal::measured = null and a count", AGAA_ERROR_INVALID_ARGUMENT, [](GoalParts& p) { p.goal.measuredCount = 1; }},
+    {"AgaaGoal::measured = null and a count", AGAA_ERROR_INVALID_ARGUMENT,
+     [](GoalParts& p) { p.goal.measuredCount = 1; }},
     {"AgaaGoal::sType = 0", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.goal.sType = 0; }},
     {"AgaaObservation::sType = 0", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.observation.sType = 0; }},
     {"AgaaChoice::sType = 0 of current", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.current.sType = 0; }},
@@ -179,15 +188,18 @@ struct WrongMeasured {
 };
 
 const WrongMeasured wrongMeasured[] = {
-    {"other samples in AgaaGoal::measured", AGAA_ERROR_INVALID_ARGUMENT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].samples = 7; }},
+    {"other samples in AgaaGoal::measured", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].samples = 7; }},
     {"AgaaMeasuredSettings::technique = null", AGAA_ERROR_INVALID_ARGUMENT,
      [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].technique = nullptr; }},
     {"an unknown AgaaMeasuredSettings::preset", AGAA_ERROR_INVALID_ARGUMENT,
      [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].preset = "best"; }},
     {"a tier that the measured technique lacks", AGAA_ERROR_INVALID_ARGUMENT,
      [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].generationTier = AGAA_TIER_GBUFFER; }},
-    {"measured settings that occur twice", AGAA_ERROR_INVALID_ARGUMENT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1] = m[0]; }},
-    {"measured times without pixels", AGAA_ERROR_INVALID_ARGUMENT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].pixels = 0; }},
+    {"measured settings that occur twice", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1] = m[0]; }},
+    {"measured times without pixels", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].pixels = 0; }},
     {"times of some measured settings", AGAA_ERROR_INVALID_ARGUMENT,
      [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].geometryMilliseconds = m[1].shadingMilliseconds = 0; }},
     {"a measured error without AgaaMeasuredSettings::errorShare", AGAA_ERROR_INVALID_ARGUMENT,
@@ -198,7 +210,8 @@ const WrongMeasured wrongMeasured[] = {
          m[1].error = 0;
      }},
     {"AgaaMeasuredSettings::sType = 0", AGAA_ERROR_STRUCT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].sType = 0; }},
-    {"measured settings of other structSizes", AGAA_ERROR_STRUCT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].structSize += 8; }},
+    {"measured settings of other structSizes", AGAA_ERROR_STRUCT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].structSize += 8; }},
     {"a measured error that is not a number", AGAA_ERROR_OUT_OF_RANGE,
      [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].errorShare = std::numeric_limits<float>::quiet_NaN(); }},
 };
@@ -253,9 +266,11 @@ void testChooseInvalid(Test& test) {
     testWrongGoals(test, AGAA_ERROR_INVALID_ARGUMENT);
     GoalParts parts(test.sdk);
     LogRecorder log;
-    expectRefused(test, test.sdk.agaaChooseSettings(parts.get(), nullptr, log.get(), nullptr, nullptr, nullptr, &parts.choice),
-                  AGAA_ERROR_INVALID_ARGUMENT, log, "agaaChooseSettings", "agaaChooseSettings with goal = null");
-    expectRefused(test, test.sdk.agaaChooseSettings(parts.get(), nullptr, log.get(), &parts.goal, nullptr, nullptr, nullptr),
+    expectRefused(
+        test, test.sdk.agaaChooseSettings(parts.get(), nullptr, log.get(), nullptr, nullptr, nullptr, &parts.choice),
+        AGAA_ERROR_INVALID_ARGUMENT, log, "agaaChooseSettings", "agaaChooseSettings with goal = null");
+    expectRefused(test,
+                  test.sdk.agaaChooseSettings(parts.get(), nullptr, log.get(), &parts.goal, nullptr, nullptr, nullptr),
                   AGAA_ERROR_INVALID_ARGUMENT, log, "agaaChooseSettings", "agaaChooseSettings with outChoice = null");
 }
 
@@ -272,7 +287,8 @@ void testApplied(Test& test) {
         AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
         test.requireOk(test.sdk.agaaQueryMemory(parts.get(), &parts.caps, nullptr, &report, nullptr, nullptr),
                        std::string("agaaQueryMemory of the choice ") + parts.choice.reason);
-        test.check(report.totalBytes == parts.choice.bytes, "a choice has other bytes than agaaQueryMemory of its view.");
+        test.check(report.totalBytes == parts.choice.bytes,
+                   "a choice has other bytes than agaaQueryMemory of its view.");
     }
 }
 
@@ -282,7 +298,8 @@ const WrongGoal wrongChoices[] = {
     {"AgaaChoice::sType = 0", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.current.sType = 0; }},
     {"AgaaConfig::sType = 0", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.config.sType = 0; }},
     {"AgaaAggregation::structSize = 0", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.aggregation.structSize = 0; }},
-    {"an unknown struct chained to AgaaConfig", AGAA_ERROR_UNKNOWN_STRUCT, [](GoalParts& p) { p.config.pNext = &p.caps; }},
+    {"an unknown struct chained to AgaaConfig", AGAA_ERROR_UNKNOWN_STRUCT,
+     [](GoalParts& p) { p.config.pNext = &p.caps; }},
 };
 
 void testWrongChoices(Test& test, AgaaResult error) {
@@ -327,7 +344,8 @@ void addGoalCases(Suite& suite) {
     });
     suite.core("agaaObserve/AGAA_ERROR_INVALID_ARGUMENT", testObserveInvalid);
     suite.core("agaaObserve/AGAA_ERROR_STRUCT", [](Test& test) { testWrongStatistics(test, AGAA_ERROR_STRUCT); });
-    suite.core("agaaObserve/AGAA_ERROR_OUT_OF_RANGE", [](Test& test) { testWrongStatistics(test, AGAA_ERROR_OUT_OF_RANGE); });
+    suite.core("agaaObserve/AGAA_ERROR_OUT_OF_RANGE",
+               [](Test& test) { testWrongStatistics(test, AGAA_ERROR_OUT_OF_RANGE); });
     suite.core("agaaObserve/merged", testMerged);
     for (const char* parameter : {"caps", "log", "observation", "current"})
         suite.core(std::string("agaaChooseSettings/") + parameter + ".null", testChooseNulls);
@@ -335,13 +353,17 @@ void addGoalCases(Suite& suite) {
     suite.core("agaaChooseSettings/outChoice.unchanged", [](Test& test) { testWrongGoals(test, AGAA_OK); });
     suite.core("agaaChooseSettings/AGAA_ERROR_INVALID_ARGUMENT", testChooseInvalid);
     for (const auto& [name, error] : {std::pair<const char*, AgaaResult>{"STRUCT", AGAA_ERROR_STRUCT},
-                                      {"OUT_OF_RANGE", AGAA_ERROR_OUT_OF_RANGE}, {"LAYOUT", AGAA_ERROR_LAYOUT},
-                                      {"TOO_LARGE", AGAA_ERROR_TOO_LARGE}, {"UNSUPPORTED", AGAA_ERROR_UNSUPPORTED}})
-        suite.core(std::string("agaaChooseSettings/AGAA_ERROR_") + name, [error = error](Test& test) { testWrongGoals(test, error); });
+                                      {"OUT_OF_RANGE", AGAA_ERROR_OUT_OF_RANGE},
+                                      {"LAYOUT", AGAA_ERROR_LAYOUT},
+                                      {"TOO_LARGE", AGAA_ERROR_TOO_LARGE},
+                                      {"UNSUPPORTED", AGAA_ERROR_UNSUPPORTED}})
+        suite.core(std::string("agaaChooseSettings/AGAA_ERROR_") + name,
+                   [error = error](Test& test) { testWrongGoals(test, error); });
     suite.core("agaaApplyChoice/measurement.null", testApplied);
     suite.core("agaaApplyChoice/AGAA_ERROR_INVALID_ARGUMENT", testApplyInvalid);
     suite.core("agaaApplyChoice/AGAA_ERROR_STRUCT", [](Test& test) { testWrongChoices(test, AGAA_ERROR_STRUCT); });
-    suite.core("agaaApplyChoice/AGAA_ERROR_UNKNOWN_STRUCT", [](Test& test) { testWrongChoices(test, AGAA_ERROR_UNKNOWN_STRUCT); });
+    suite.core("agaaApplyChoice/AGAA_ERROR_UNKNOWN_STRUCT",
+               [](Test& test) { testWrongChoices(test, AGAA_ERROR_UNKNOWN_STRUCT); });
 }
 
 } // namespace agaa::conformance

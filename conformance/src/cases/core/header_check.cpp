@@ -53,7 +53,8 @@ void expectSizeAccepted(Test& test, const HeaderCase& c, size_t structSize) {
     expectStructAccepted(test, c, bytes, how);
     if (!c.isOutput)
         return;
-    test.check(std::memcmp(&before, bytes.data(), sizeof before) == 0, what(c, how) + " changes sType, structSize or pNext.");
+    test.check(std::memcmp(&before, bytes.data(), sizeof before) == 0,
+               what(c, how) + " changes sType, structSize or pNext.");
     test.check(bytes.findDifference(structSize, bytes.size(), Bytes::pattern) == bytes.size(),
                what(c, how) + " writes beyond structSize.");
 }

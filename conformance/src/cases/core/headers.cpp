@@ -68,19 +68,22 @@ AgaaResult callPreset(Test& test, AgaaConfig* config, AgaaAggregation* aggregati
     AgaaConfig defaultConfig = AGAA_CONFIG_INIT;
     AgaaAggregation defaultAggregation = AGAA_AGGREGATION_INIT;
     AgaaMeasurement defaultMeasurement = AGAA_MEASUREMENT_INIT;
-    return test.sdk.agaaApplyPreset("paper", config ? config : &defaultConfig, aggregation ? aggregation : &defaultAggregation,
+    return test.sdk.agaaApplyPreset("paper", config ? config : &defaultConfig,
+                                    aggregation ? aggregation : &defaultAggregation,
                                     measurement ? measurement : &defaultMeasurement);
 }
 
 template <class T> void copyMembers(void* structure, const T& from) {
     constexpr size_t header = sizeof(AgaaStructHeader);
-    std::memcpy(static_cast<char*>(structure) + header, reinterpret_cast<const char*>(&from) + header, sizeof from - header);
+    std::memcpy(static_cast<char*>(structure) + header, reinterpret_cast<const char*>(&from) + header,
+                sizeof from - header);
 }
 
 AgaaResult callPrices(Test& test, void* structure, const AgaaLog* log) {
     ViewParts parts(test.sdk, nullptr);
     uint32_t count = 0;
-    test.requireOk(test.sdk.agaaQueryPrices(&parts.desc, nullptr, nullptr, &count, nullptr), "agaaQueryPrices with prices = null");
+    test.requireOk(test.sdk.agaaQueryPrices(&parts.desc, nullptr, nullptr, &count, nullptr),
+                   "agaaQueryPrices with prices = null");
     return callArray<AgaaPrice>(count, structure, [&](AgaaPrice* array) {
         return test.sdk.agaaQueryPrices(&parts.desc, nullptr, log, &count, array);
     });
@@ -109,8 +112,10 @@ std::vector<HeaderCase> inputs() {
              return memory(test, parts, log);
          },
          false, true, false, "AgaaAggregation"},
-        chainedCase("AgaaAggregation", linkConfig), chainedCase("AgaaMeasurement", linkConfig),
-        chainedCase("AgaaDecoupledCoverage", linkConfig), chainedCase("AgaaAdaptiveSampling", linkConfig),
+        chainedCase("AgaaAggregation", linkConfig),
+        chainedCase("AgaaMeasurement", linkConfig),
+        chainedCase("AgaaDecoupledCoverage", linkConfig),
+        chainedCase("AgaaAdaptiveSampling", linkConfig),
         {"AgaaSceneFacts", "agaaQueryMemory", nullptr,
          [](Test& test, void* structure, const AgaaLog* log) {
              ViewParts parts(test.sdk, nullptr);
@@ -134,7 +139,8 @@ std::vector<HeaderCase> inputs() {
          [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).caps); },
          [](Test& test, void* structure, const AgaaLog* log) {
              ViewParts parts(test.sdk, nullptr);
-             return test.sdk.agaaQueryMemory(&parts.desc, &as<AgaaDeviceCaps>(structure), log, nullptr, nullptr, nullptr);
+             return test.sdk.agaaQueryMemory(&parts.desc, &as<AgaaDeviceCaps>(structure), log, nullptr, nullptr,
+                                             nullptr);
          }},
         {"AgaaGoal", "agaaChooseSettings", nullptr,
          [](Test& test, void* structure, const AgaaLog* log) {
@@ -153,8 +159,8 @@ std::vector<HeaderCase> inputs() {
         {"AgaaObservation", "agaaChooseSettings", nullptr,
          [](Test& test, void* structure, const AgaaLog* log) {
              GoalParts parts(test.sdk);
-             return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &parts.goal, &as<AgaaObservation>(structure), nullptr,
-                                                &parts.choice);
+             return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &parts.goal, &as<AgaaObservation>(structure),
+                                                nullptr, &parts.choice);
          }},
     };
 }
@@ -164,7 +170,8 @@ std::vector<HeaderCase> outputs() {
         {"AgaaMemoryReport", "agaaQueryMemory", nullptr,
          [](Test& test, void* structure, const AgaaLog* log) {
              ViewParts parts(test.sdk, nullptr);
-             return test.sdk.agaaQueryMemory(&parts.desc, nullptr, log, &as<AgaaMemoryReport>(structure), nullptr, nullptr);
+             return test.sdk.agaaQueryMemory(&parts.desc, nullptr, log, &as<AgaaMemoryReport>(structure), nullptr,
+                                             nullptr);
          },
          true},
         {"AgaaTarget", "agaaQueryTarget", nullptr,
@@ -208,8 +215,8 @@ std::vector<HeaderCase> further() {
         {"AgaaChoice", "agaaChooseSettings", nullptr,
          [](Test& test, void* structure, const AgaaLog* log) {
              GoalParts parts(test.sdk);
-             return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &parts.goal, nullptr, &as<AgaaChoice>(structure),
-                                                &parts.choice);
+             return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &parts.goal, nullptr,
+                                                &as<AgaaChoice>(structure), &parts.choice);
          }},
         {"AgaaLayout", "agaaGetBuiltinLayout", nullptr,
          [](Test& test, void* structure, const AgaaLog*) {
@@ -217,14 +224,18 @@ std::vector<HeaderCase> further() {
          },
          true, false},
         {"AgaaConfig", "agaaApplyPreset", nullptr,
-         [](Test& test, void* s, const AgaaLog*) { return callPreset(test, &as<AgaaConfig>(s), nullptr, nullptr); }, true, false,
-         false, "AgaaAggregation"},
+         [](Test& test, void* s, const AgaaLog*) { return callPreset(test, &as<AgaaConfig>(s), nullptr, nullptr); },
+         true, false, false, "AgaaAggregation"},
         {"AgaaAggregation", "agaaApplyPreset", nullptr,
-         [](Test& test, void* s, const AgaaLog*) { return callPreset(test, nullptr, &as<AgaaAggregation>(s), nullptr); }, true,
-         false},
+         [](Test& test, void* s, const AgaaLog*) {
+             return callPreset(test, nullptr, &as<AgaaAggregation>(s), nullptr);
+         },
+         true, false},
         {"AgaaMeasurement", "agaaApplyPreset", nullptr,
-         [](Test& test, void* s, const AgaaLog*) { return callPreset(test, nullptr, nullptr, &as<AgaaMeasurement>(s)); }, true,
-         false},
+         [](Test& test, void* s, const AgaaLog*) {
+             return callPreset(test, nullptr, nullptr, &as<AgaaMeasurement>(s));
+         },
+         true, false},
         {"AgaaDeviceCaps", "agaaQueryCapabilities",
          [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).caps); },
          [](Test& test, void* structure, const AgaaLog*) {

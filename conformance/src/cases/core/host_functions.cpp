@@ -11,7 +11,8 @@ namespace {
 
 using Change = std::function<void(ViewParts&)>;
 
-constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa",    "simple_complex",
+                                      "sbaa",   "agaa", "dcaa", "adaptive"};
 
 // All techniques accept the function, except those in `refusing`.
 void testNotFor(Test& test, const std::set<std::string>& refusing, const std::string& name, const Change& chain) {
@@ -22,7 +23,8 @@ void testNotFor(Test& test, const std::set<std::string>& refusing, const std::st
         chain(parts);
         const std::string what = std::string("\"") + technique + "\" and an " + name;
         if (refusing.count(technique))
-            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what, technique == std::string("msaa") ? name : "G-buffer");
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what,
+                              technique == std::string("msaa") ? name : "G-buffer");
         else
             expectAccepted(test, parts, what);
     }
@@ -34,7 +36,8 @@ void testGBufferTiers(Test& test) {
         parts.config.technique = technique;
         parts.chain(parts.gbuffer);
         const std::string tier = generationTierOf(test, parts);
-        test.check(tier == "gbuffer", std::string("\"") + technique + "\" with an AgaaGBufferFunction uses the tier " + tier + ".");
+        test.check(tier == "gbuffer",
+                   std::string("\"") + technique + "\" with an AgaaGBufferFunction uses the tier " + tier + ".");
         AgaaTarget target = AGAA_TARGET_INIT;
         test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, nullptr, &target), "agaaQueryTarget");
         test.check(target.geometryPasses == 0, "agaaQueryTarget with an AgaaGBufferFunction counts geometry passes.");
@@ -66,8 +69,8 @@ void testNotAllDraws(Test& test) {
             parts.config.flags |= flags;
             expectAccepted(test, parts, "AGAA_FETCH_NOT_ALL_DRAWS");
             parts.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
-            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "AGAA_FETCH_NOT_ALL_DRAWS and AGAA_FACT_CUSTOM_DEPTH",
-                              "AGAA_FETCH_NOT_ALL_DRAWS");
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED,
+                              "AGAA_FETCH_NOT_ALL_DRAWS and AGAA_FACT_CUSTOM_DEPTH", "AGAA_FETCH_NOT_ALL_DRAWS");
         }
 }
 
@@ -79,11 +82,13 @@ void testFragments(Test& test) {
             parts.config.samples = samples;
             parts.config.generationTier = tier;
             if (tier == AGAA_TIER_FRAGMENTS || samples > 32)
-                expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "the tier FRAGMENTS without an AgaaFetchFunction",
-                                  "AgaaFetchFunction");
+                expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED,
+                                  "the tier FRAGMENTS without an AgaaFetchFunction", "AgaaFetchFunction");
             parts.chain(parts.fetch);
             const std::string found = generationTierOf(test, parts);
-            const uint32_t expected = samples > 32 ? uint32_t(AGAA_TIER_FRAGMENTS) : tier ? tier : uint32_t(AGAA_TIER_IDS);
+            const uint32_t expected = samples > 32 ? uint32_t(AGAA_TIER_FRAGMENTS)
+                                      : tier       ? tier
+                                                   : uint32_t(AGAA_TIER_IDS);
             test.check(found == test.sdk.agaaTierName(expected), "\"agaa\" with n = " + std::to_string(samples) +
                                                                      " and generationTier = " + std::to_string(tier) +
                                                                      " uses the tier " + found + ".");
@@ -94,7 +99,8 @@ void testFragments(Test& test) {
                               "AGAA_FETCH_NOT_ALL_DRAWS");
             parts.fetch.flags = 0;
             parts.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
-            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "the tier FRAGMENTS and AGAA_FACT_CUSTOM_DEPTH", "depth");
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "the tier FRAGMENTS and AGAA_FACT_CUSTOM_DEPTH",
+                              "depth");
         }
 }
 
@@ -118,7 +124,8 @@ void testFragmentLists(Test& test) {
             expectTier(parts, AGAA_TIER_MATERIAL_LISTS, what + " and AGAA_FETCH_NOT_ALL_DRAWS");
         parts.desc.pNext = nullptr;
         if (tier == AGAA_TIER_FRAGMENT_LISTS)
-            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what + " without an AgaaFetchFunction", "AgaaFetchFunction");
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what + " without an AgaaFetchFunction",
+                              "AgaaFetchFunction");
         else
             expectTier(parts, AGAA_TIER_MATERIAL_LISTS, what + " without an AgaaFetchFunction");
     }
@@ -131,7 +138,8 @@ void testAutoSelectsIds(Test& test) {
     test.check(tier == "ids", "\"agaa\" with an AgaaFetchFunction and the tier AUTO uses the tier " + tier + ".");
     ViewParts without(test.sdk, nullptr);
     without.config.generationTier = AGAA_TIER_IDS;
-    expectViewRefused(test, without, AGAA_ERROR_UNSUPPORTED, "the tier IDS without an AgaaFetchFunction", "AgaaFetchFunction");
+    expectViewRefused(test, without, AGAA_ERROR_UNSUPPORTED, "the tier IDS without an AgaaFetchFunction",
+                      "AgaaFetchFunction");
 }
 
 // Tests the bits of the shadows that the function answers for.
@@ -140,7 +148,8 @@ void testShadowBits(Test& test) {
         uint32_t maps, bits;
         bool isAccepted;
     };
-    for (const Row& row : {Row{1, 1, true}, Row{4, 0xF, true}, Row{4, 8, true}, Row{4, 16, false}, Row{1, 0x80000000u, false}}) {
+    for (const Row& row :
+         {Row{1, 1, true}, Row{4, 0xF, true}, Row{4, 8, true}, Row{4, 16, false}, Row{1, 0x80000000u, false}}) {
         ViewParts parts(test.sdk, nullptr);
         parts.facts.shadowMapCount = row.maps;
         parts.chain(parts.shadow);

@@ -104,10 +104,10 @@ void addInitCases(Suite& suite) {
                   sdk.agaaInitShadow(static_cast<AgaaShadow*>(shadow), size);
               }});
     suite.core("AgaaLayoutAttribute/init", [](Test& test) {
-        testInit(test, {"AgaaLayoutAttribute", bytesOf(initialAttribute),
-                        [](const Functions& sdk, void* attribute, size_t) {
-                            sdk.agaaInitLayoutAttribute(static_cast<AgaaLayoutAttribute*>(attribute));
-                        }});
+        testInit(test,
+                 {"AgaaLayoutAttribute", bytesOf(initialAttribute), [](const Functions& sdk, void* attribute, size_t) {
+                      sdk.agaaInitLayoutAttribute(static_cast<AgaaLayoutAttribute*>(attribute));
+                  }});
     });
 }
 

@@ -11,53 +11,87 @@ uint32_t whole(double value) { return uint32_t(value); }
 void useDcaa(ViewParts& parts) { parts.setTechnique("dcaa", 4); }
 
 void addConfig(Suite& suite) {
-    addMember(suite, {"AgaaConfig.samples/range", "AgaaConfig::samples",
+    addMember(suite, {"AgaaConfig.samples/range",
+                      "AgaaConfig::samples",
                       [](ViewParts& p, double x) { p.config.samples = whole(x); },
-                      {1, 2, 4, 8, 16, 32, 64, 128}, largeNumbers({0, 3, 5, 6, 7, 9, 12, 24, 31, 33, 96, 256, 65536}),
+                      {1, 2, 4, 8, 16, 32, 64, 128},
+                      largeNumbers({0, 3, 5, 6, 7, 9, 12, 24, 31, 33, 96, 256, 65536}),
                       [](ViewParts& p) { p.chain(p.fetch); }});
-    addMember(suite, {"AgaaConfig.samples/range/dcaa", "AgaaConfig::samples",
-                      [](ViewParts& p, double x) { p.config.samples = whole(x); }, {32, 64, 128},
-                      largeNumbers({0, 1, 2, 4, 8, 16, 31, 33, 63, 65, 96, 127, 129, 256}), useDcaa});
+    addMember(suite, {"AgaaConfig.samples/range/dcaa",
+                      "AgaaConfig::samples",
+                      [](ViewParts& p, double x) { p.config.samples = whole(x); },
+                      {32, 64, 128},
+                      largeNumbers({0, 1, 2, 4, 8, 16, 31, 33, 63, 65, 96, 127, 129, 256}),
+                      useDcaa});
     for (const char* technique : {"ssaa", "adaptive"})
-        addMember(suite, {std::string("AgaaConfig.samples/range/") + technique, "AgaaConfig::samples",
-                          [](ViewParts& p, double x) { p.config.samples = whole(x); }, {1, 2, 4, 8, 9, 16, 32},
+        addMember(suite, {std::string("AgaaConfig.samples/range/") + technique,
+                          "AgaaConfig::samples",
+                          [](ViewParts& p, double x) { p.config.samples = whole(x); },
+                          {1, 2, 4, 8, 9, 16, 32},
                           largeNumbers({0, 3, 5, 6, 7, 10, 12, 24, 25, 31, 33, 64}),
                           [technique](ViewParts& p) { p.config.technique = technique; }});
-    addMember(suite, {"AgaaConfig.aggregates/range", "AgaaConfig::aggregates",
+    addMember(suite, {"AgaaConfig.aggregates/range",
+                      "AgaaConfig::aggregates",
                       [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
-                      {1, 2, 3, 4}, largeNumbers({0, 5, 6, 7})});
-    addMember(suite, {"AgaaConfig.aggregates/range/sbaa", "AgaaConfig::aggregates",
+                      {1, 2, 3, 4},
+                      largeNumbers({0, 5, 6, 7})});
+    addMember(suite, {"AgaaConfig.aggregates/range/sbaa",
+                      "AgaaConfig::aggregates",
                       [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
-                      {1, 2, 3, 4, 5, 6}, largeNumbers({0, 7}), [](ViewParts& p) { p.config.technique = "sbaa"; }});
-    addMember(suite, {"AgaaConfig.aggregates/range/dcaa", "AgaaConfig::aggregates",
+                      {1, 2, 3, 4, 5, 6},
+                      largeNumbers({0, 7}),
+                      [](ViewParts& p) { p.config.technique = "sbaa"; }});
+    addMember(suite, {"AgaaConfig.aggregates/range/dcaa",
+                      "AgaaConfig::aggregates",
                       [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
-                      {1, 2, 3, 4, 5, 6, 7, 8}, largeNumbers({0, 9}), useDcaa});
-    addMember(suite, {"AgaaConfig.aggregates/range/ssaa", "AgaaConfig::aggregates",
+                      {1, 2, 3, 4, 5, 6, 7, 8},
+                      largeNumbers({0, 9}),
+                      useDcaa});
+    addMember(suite, {"AgaaConfig.aggregates/range/ssaa",
+                      "AgaaConfig::aggregates",
                       [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
-                      {1, 2, 7, 8}, largeNumbers({0, 9}), [](ViewParts& p) { p.config.technique = "ssaa"; }});
-    addMember(suite, {"AgaaConfig.surfaceCosine/range", "AgaaConfig::surfaceCosine",
+                      {1, 2, 7, 8},
+                      largeNumbers({0, 9}),
+                      [](ViewParts& p) { p.config.technique = "ssaa"; }});
+    addMember(suite, {"AgaaConfig.surfaceCosine/range",
+                      "AgaaConfig::surfaceCosine",
                       [](ViewParts& p, double x) { p.config.surfaceCosine = float(x); },
-                      {0, below(1), 1}, notNumbers({below(0), -1, above(1), 2})});
-    addMember(suite, {"AgaaConfig.surfaceDistance/range", "AgaaConfig::surfaceDistance",
+                      {0, below(1), 1},
+                      notNumbers({below(0), -1, above(1), 2})});
+    addMember(suite, {"AgaaConfig.surfaceDistance/range",
+                      "AgaaConfig::surfaceDistance",
                       [](ViewParts& p, double x) { p.config.surfaceDistance = float(x); },
-                      {0, above(0), 1e6}, notNumbers({below(0), -1, above(1e6f), 3e38})});
-    addMember(suite, {"AgaaConfig.surfaceMaterial/range", "AgaaConfig::surfaceMaterial",
+                      {0, above(0), 1e6},
+                      notNumbers({below(0), -1, above(1e6f), 3e38})});
+    addMember(suite, {"AgaaConfig.surfaceMaterial/range",
+                      "AgaaConfig::surfaceMaterial",
                       [](ViewParts& p, double x) { p.config.surfaceMaterial = float(x); },
-                      {0, below(1), 1}, notNumbers({below(0), -1, above(1), 2})});
-    addMember(suite, {"AgaaConfig.shadowTaps/range", "AgaaConfig::shadowTaps",
+                      {0, below(1), 1},
+                      notNumbers({below(0), -1, above(1), 2})});
+    addMember(suite, {"AgaaConfig.shadowTaps/range",
+                      "AgaaConfig::shadowTaps",
                       [](ViewParts& p, double x) { p.config.shadowTaps = whole(x); },
-                      {0, 1, 8, 31, 32}, largeNumbers({33, 64})});
-    addMember(suite, {"AgaaConfig.brdf/enum", "AgaaConfig::brdf",
+                      {0, 1, 8, 31, 32},
+                      largeNumbers({33, 64})});
+    addMember(suite, {"AgaaConfig.brdf/enum",
+                      "AgaaConfig::brdf",
                       [](ViewParts& p, double x) { p.config.brdf = whole(x); },
-                      {AGAA_BRDF_BLINN_PHONG, AGAA_BRDF_GGX}, largeNumbers({}), nullptr, {AGAA_BRDF_GGX + 1}});
-    addMember(suite, {"AgaaConfig.ndf/enum", "AgaaConfig::ndf",
+                      {AGAA_BRDF_BLINN_PHONG, AGAA_BRDF_GGX},
+                      largeNumbers({}),
+                      nullptr,
+                      {AGAA_BRDF_GGX + 1}});
+    addMember(suite, {"AgaaConfig.ndf/enum",
+                      "AgaaConfig::ndf",
                       [](ViewParts& p, double x) { p.config.ndf = whole(x); },
-                      {AGAA_NDF_NONE, AGAA_NDF_TOKSVIG, AGAA_NDF_LEAN, AGAA_NDF_SGGX}, largeNumbers({}), nullptr,
+                      {AGAA_NDF_NONE, AGAA_NDF_TOKSVIG, AGAA_NDF_LEAN, AGAA_NDF_SGGX},
+                      largeNumbers({}),
+                      nullptr,
                       {AGAA_NDF_SGGX + 1}});
     addFlags(suite, {"AgaaConfig.flags/flags", "AgaaConfig::flags",
                      [](ViewParts& p, uint64_t flags) { p.config.flags = flags; },
                      AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
-                         AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS, nullptr});
+                         AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS,
+                     nullptr});
 }
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
@@ -65,53 +99,77 @@ void addTiers(Suite& suite) {
     const std::vector<double> unknown = {6, 15, AGAA_TIER_RASTER_ORDER + 1};
     const std::vector<double> coverageTiers = {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS,
                                                AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_RASTER_ORDER};
-    addMember(suite, {"AgaaConfig.visibilityTier/enum", "AgaaConfig::visibilityTier",
+    addMember(suite, {"AgaaConfig.visibilityTier/enum",
+                      "AgaaConfig::visibilityTier",
                       [](ViewParts& p, double x) { p.config.visibilityTier = whole(x); },
-                      {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID}, largeNumbers({}), nullptr, unknown});
-    addMember(suite, {"AgaaConfig.generationTier/enum", "AgaaConfig::generationTier",
+                      {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID},
+                      largeNumbers({}),
+                      nullptr,
+                      unknown});
+    addMember(suite, {"AgaaConfig.generationTier/enum",
+                      "AgaaConfig::generationTier",
                       [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
                       {AGAA_TIER_AUTO, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
                        AGAA_TIER_GBUFFER, AGAA_TIER_IDS},
-                      largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, unknown});
-    addMember(suite, {"AgaaConfig.generationTier/enum/dcaa", "AgaaConfig::generationTier",
-                      [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
-                      coverageTiers, largeNumbers({}),
-                      [](ViewParts& p) {
-                          useDcaa(p);
-                          p.config.aggregates = 2; // attachments hold two surfaces
-                      },
+                      largeNumbers({}),
+                      [](ViewParts& p) { p.chain(p.fetch); },
                       unknown});
+    addMember(suite,
+              {"AgaaConfig.generationTier/enum/dcaa", "AgaaConfig::generationTier",
+               [](ViewParts& p, double x) { p.config.generationTier = whole(x); }, coverageTiers, largeNumbers({}),
+               [](ViewParts& p) {
+                   useDcaa(p);
+                   p.config.aggregates = 2; // attachments hold two surfaces
+               },
+               unknown});
     // Techniques without a stage for it check the member, too.
     addMember(suite, {"AgaaConfig.generationTier/enum/ssaa", "AgaaConfig::generationTier",
-                      [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
-                      coverageTiers, largeNumbers({}),
-                      [](ViewParts& p) { p.config.technique = "ssaa"; }, unknown});
+                      [](ViewParts& p, double x) { p.config.generationTier = whole(x); }, coverageTiers,
+                      largeNumbers({}), [](ViewParts& p) { p.config.technique = "ssaa"; }, unknown});
 }
 
 void addAggregation(Suite& suite) {
-    addMember(suite, {"AgaaAggregation.characteristicLength/range", "AgaaAggregation::characteristicLength",
+    addMember(suite, {"AgaaAggregation.characteristicLength/range",
+                      "AgaaAggregation::characteristicLength",
                       [](ViewParts& p, double x) { p.aggregation.characteristicLength = float(x); },
-                      {0, above(0), 1, std::numeric_limits<float>::max()}, notNumbers({below(0), -1})});
+                      {0, above(0), 1, std::numeric_limits<float>::max()},
+                      notNumbers({below(0), -1})});
     addMember(suite, {"AgaaAggregation.characteristicLengthPerDistance/range",
                       "AgaaAggregation::characteristicLengthPerDistance",
                       [](ViewParts& p, double x) { p.aggregation.characteristicLengthPerDistance = float(x); },
-                      {0, above(0), below(1), 1}, notNumbers({below(0), -1, above(1), 2}),
+                      {0, above(0), below(1), 1},
+                      notNumbers({below(0), -1, above(1), 2}),
                       [](ViewParts& p) { p.aggregation.characteristicLength = 1; }});
     addMember(suite, {"AgaaAggregation.characteristicLengthPerDistance/range/k",
                       "AgaaAggregation::characteristicLength",
                       [](ViewParts& p, double x) { p.aggregation.characteristicLengthPerDistance = float(x); },
-                      {above(0)}, {0}, [](ViewParts& p) { p.aggregation.characteristicLength = 0; }});
-    addMember(suite, {"AgaaAggregation.aggregateThreshold/range", "AgaaAggregation::aggregateThreshold",
+                      {above(0)},
+                      {0},
+                      [](ViewParts& p) { p.aggregation.characteristicLength = 0; }});
+    addMember(suite, {"AgaaAggregation.aggregateThreshold/range",
+                      "AgaaAggregation::aggregateThreshold",
                       [](ViewParts& p, double x) { p.aggregation.aggregateThreshold = float(x); },
-                      {0, above(0), 1e6}, notNumbers({below(0), -1, above(1e6f), 3e38})});
-    addMember(suite, {"AgaaAggregation.glossWeight/range", "AgaaAggregation::glossWeight",
+                      {0, above(0), 1e6},
+                      notNumbers({below(0), -1, above(1e6f), 3e38})});
+    addMember(suite, {"AgaaAggregation.glossWeight/range",
+                      "AgaaAggregation::glossWeight",
                       [](ViewParts& p, double x) { p.aggregation.glossWeight = float(x); },
-                      {0, above(0), below(16), 16}, notNumbers({below(0), -1, above(16), 17})});
-    addMember(suite, {"AgaaAggregation.reserved/zero", "AgaaAggregation::reserved",
-                      [](ViewParts& p, double x) { p.aggregation.reserved = whole(x); }, {0}, largeNumbers({}), nullptr, {1}});
-    addMember(suite, {"AgaaAggregation.litShadows/range", "AgaaAggregation::litShadows",
+                      {0, above(0), below(16), 16},
+                      notNumbers({below(0), -1, above(16), 17})});
+    addMember(suite, {"AgaaAggregation.reserved/zero",
+                      "AgaaAggregation::reserved",
+                      [](ViewParts& p, double x) { p.aggregation.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      nullptr,
+                      {1}});
+    addMember(suite, {"AgaaAggregation.litShadows/range",
+                      "AgaaAggregation::litShadows",
                       [](ViewParts& p, double x) { p.aggregation.litShadows = whole(x); },
-                      {0, 1, 2, 8, 15}, largeNumbers({}), [](ViewParts& p) { p.facts.shadowMapCount = 1; }, {16}});
+                      {0, 1, 2, 8, 15},
+                      largeNumbers({}),
+                      [](ViewParts& p) { p.facts.shadowMapCount = 1; },
+                      {16}});
 }
 
 void setCoveragePosition(ViewParts& parts, double x) {
@@ -128,30 +186,39 @@ void addDecoupledCoverage(Suite& suite) {
         const char* variant;
         void (*prepare)(ViewParts&);
     };
-    for (const Use& use : {Use{"", useDcaa}, Use{"/agaa", nullptr},
-                           Use{"/single", [](ViewParts& p) { p.setTechnique("single", 4); }}}) {
+    for (const Use& use :
+         {Use{"", useDcaa}, Use{"/agaa", nullptr}, Use{"/single", [](ViewParts& p) { p.setTechnique("single", 4); }}}) {
         const auto add = [&](const char* promise, const char* member, void (*set)(ViewParts&, double),
-                             std::vector<double> accepted, std::vector<double> refused, std::vector<double> today = {}) {
-            addMember(suite, {std::string("AgaaDecoupledCoverage.") + promise + use.variant, member, set, std::move(accepted), std::move(refused), use.prepare,
-                              std::move(today)});
+                             std::vector<double> accepted, std::vector<double> refused,
+                             std::vector<double> today = {}) {
+            addMember(suite, {std::string("AgaaDecoupledCoverage.") + promise + use.variant, member, set,
+                              std::move(accepted), std::move(refused), use.prepare, std::move(today)});
         };
         add("merge/enum", "AgaaDecoupledCoverage::merge", [](ViewParts& p, double x) { p.coverage.merge = whole(x); },
             {AGAA_MERGE_VISIBLE, AGAA_MERGE_PAPER, AGAA_MERGE_NONE}, largeNumbers({}), {AGAA_MERGE_NONE + 1});
-        add("fragmentsPerPixel/range", "AgaaDecoupledCoverage::fragmentsPerPixel",
+        add(
+            "fragmentsPerPixel/range", "AgaaDecoupledCoverage::fragmentsPerPixel",
             [](ViewParts& p, double x) { p.coverage.fragmentsPerPixel = float(x); }, {1, above(1), 8, below(256), 256},
             notNumbers({0, -1, below(1), above(256), 3e38}));
-        add("maxBatches/range", "AgaaDecoupledCoverage::maxBatches",
-            [](ViewParts& p, double x) { p.coverage.maxBatches = whole(x); }, {1, 2, 15, 16}, largeNumbers({0, 17, 32}));
+        add(
+            "maxBatches/range", "AgaaDecoupledCoverage::maxBatches",
+            [](ViewParts& p, double x) { p.coverage.maxBatches = whole(x); }, {1, 2, 15, 16},
+            largeNumbers({0, 17, 32}));
         add("reserved/zero", "AgaaDecoupledCoverage::reserved",
             [](ViewParts& p, double x) { p.coverage.reserved = whole(x); }, {0}, largeNumbers({}), {1});
-        add("tableSize/range", "AgaaDecoupledCoverage::tableSize",
+        add(
+            "tableSize/range", "AgaaDecoupledCoverage::tableSize",
             [](ViewParts& p, double x) { p.coverage.tableSize = whole(x); }, {0, 16, 17, 1023, 1024},
             largeNumbers({1, 15, 1025, 4096}));
         add("reservedTable/zero", "AgaaDecoupledCoverage::reservedTable",
             [](ViewParts& p, double x) { p.coverage.reservedTable = whole(x); }, {0}, largeNumbers({}), {1});
     }
-    addMember(suite, {"AgaaDecoupledCoverage.samplePositions/range", "AgaaDecoupledCoverage::samplePositions", setCoveragePosition,
-                      {0, 0.5, below(1)}, notNumbers({below(0), -1, 1, 2}), useDcaa});
+    addMember(suite, {"AgaaDecoupledCoverage.samplePositions/range",
+                      "AgaaDecoupledCoverage::samplePositions",
+                      setCoveragePosition,
+                      {0, 0.5, below(1)},
+                      notNumbers({below(0), -1, 1, 2}),
+                      useDcaa});
     suite.core("AgaaDecoupledCoverage.samplePositions/null", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);
         useDcaa(parts);
@@ -170,28 +237,44 @@ void addAdaptiveSampling(Suite& suite) {
     };
     for (const Use& use : {Use{"", [](ViewParts& p) { p.setTechnique("adaptive", 4); }}, Use{"/agaa", nullptr}}) {
         const auto add = [&](const char* promise, const char* member, void (*set)(ViewParts&, double), float most) {
-            addMember(suite, {std::string("AgaaAdaptiveSampling.") + promise + use.variant, member, set,
-                              {0, above(0), double(most) / 2, below(most), most}, notNumbers({below(0), -1, above(most), 3e38}),
+            addMember(suite, {std::string("AgaaAdaptiveSampling.") + promise + use.variant,
+                              member,
+                              set,
+                              {0, above(0), double(most) / 2, below(most), most},
+                              notNumbers({below(0), -1, above(most), 3e38}),
                               use.prepare});
         };
-        add("depthScale/range", "AgaaAdaptiveSampling::depthScale",
+        add(
+            "depthScale/range", "AgaaAdaptiveSampling::depthScale",
             [](ViewParts& p, double x) { p.adaptive.depthScale = float(x); }, 1e12f);
-        add("normalScale/range", "AgaaAdaptiveSampling::normalScale",
+        add(
+            "normalScale/range", "AgaaAdaptiveSampling::normalScale",
             [](ViewParts& p, double x) { p.adaptive.normalScale = float(x); }, 1e6f);
-        add("shadingScale/range", "AgaaAdaptiveSampling::shadingScale",
+        add(
+            "shadingScale/range", "AgaaAdaptiveSampling::shadingScale",
             [](ViewParts& p, double x) { p.adaptive.shadingScale = float(x); }, 1e6f);
-        add("shadingThreshold/range", "AgaaAdaptiveSampling::shadingThreshold",
+        add(
+            "shadingThreshold/range", "AgaaAdaptiveSampling::shadingThreshold",
             [](ViewParts& p, double x) { p.adaptive.shadingThreshold = float(x); }, 1);
-        add("shadingMinimum/range", "AgaaAdaptiveSampling::shadingMinimum",
+        add(
+            "shadingMinimum/range", "AgaaAdaptiveSampling::shadingMinimum",
             [](ViewParts& p, double x) { p.adaptive.shadingMinimum = float(x); }, 1);
-        add("glossWeight/range", "AgaaAdaptiveSampling::glossWeight",
+        add(
+            "glossWeight/range", "AgaaAdaptiveSampling::glossWeight",
             [](ViewParts& p, double x) { p.adaptive.glossWeight = float(x); }, 16);
-        add("targetEvents/range", "AgaaAdaptiveSampling::targetEvents",
+        add(
+            "targetEvents/range", "AgaaAdaptiveSampling::targetEvents",
             [](ViewParts& p, double x) { p.adaptive.targetEvents = float(x); }, 32);
-        add("countMemory/range", "AgaaAdaptiveSampling::countMemory",
+        add(
+            "countMemory/range", "AgaaAdaptiveSampling::countMemory",
             [](ViewParts& p, double x) { p.adaptive.countMemory = float(x); }, 0.99f);
-        addMember(suite, {std::string("AgaaAdaptiveSampling.reserved/zero") + use.variant, "AgaaAdaptiveSampling::reserved",
-                          [](ViewParts& p, double x) { p.adaptive.reserved = whole(x); }, {0}, largeNumbers({}), use.prepare, {1}});
+        addMember(suite, {std::string("AgaaAdaptiveSampling.reserved/zero") + use.variant,
+                          "AgaaAdaptiveSampling::reserved",
+                          [](ViewParts& p, double x) { p.adaptive.reserved = whole(x); },
+                          {0},
+                          largeNumbers({}),
+                          use.prepare,
+                          {1}});
         addFlags(suite, {std::string("AgaaAdaptiveSampling.flags/flags") + use.variant, "AgaaAdaptiveSampling::flags",
                          [](ViewParts& p, uint64_t flags) { p.adaptive.flags = flags; },
                          AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC |
@@ -203,22 +286,35 @@ void addAdaptiveSampling(Suite& suite) {
 }
 
 void addMeasurement(Suite& suite) {
-    addMember(suite, {"AgaaMeasurement.shadingCost/range", "AgaaMeasurement::shadingCost",
+    addMember(suite, {"AgaaMeasurement.shadingCost/range",
+                      "AgaaMeasurement::shadingCost",
                       [](ViewParts& p, double x) { p.measurement.shadingCost = whole(x); },
-                      {1, 2, 63, 64}, largeNumbers({0, 65})});
+                      {1, 2, 63, 64},
+                      largeNumbers({0, 65})});
     // The tier IDS supports all debug views.
-    addMember(suite, {"AgaaMeasurement.debugView/enum", "AgaaMeasurement::debugView",
+    addMember(suite, {"AgaaMeasurement.debugView/enum",
+                      "AgaaMeasurement::debugView",
                       [](ViewParts& p, double x) { p.measurement.debugView = whole(x); },
-                      {AGAA_DEBUG_VIEW_NONE, AGAA_DEBUG_VIEW_EVENTS, AGAA_DEBUG_VIEW_AGGREGATES, AGAA_DEBUG_VIEW_CLUSTERS,
-                       AGAA_DEBUG_VIEW_PRIMITIVES, AGAA_DEBUG_VIEW_LIT, AGAA_DEBUG_VIEW_WIDENED, AGAA_DEBUG_VIEW_TIER,
-                       AGAA_DEBUG_VIEW_FACTS},
-                      largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, {AGAA_DEBUG_VIEW_FACTS + 1}});
-    addMember(suite, {"AgaaMeasurement.seeds/enum", "AgaaMeasurement::seeds",
+                      {AGAA_DEBUG_VIEW_NONE, AGAA_DEBUG_VIEW_EVENTS, AGAA_DEBUG_VIEW_AGGREGATES,
+                       AGAA_DEBUG_VIEW_CLUSTERS, AGAA_DEBUG_VIEW_PRIMITIVES, AGAA_DEBUG_VIEW_LIT,
+                       AGAA_DEBUG_VIEW_WIDENED, AGAA_DEBUG_VIEW_TIER, AGAA_DEBUG_VIEW_FACTS},
+                      largeNumbers({}),
+                      [](ViewParts& p) { p.chain(p.fetch); },
+                      {AGAA_DEBUG_VIEW_FACTS + 1}});
+    addMember(suite, {"AgaaMeasurement.seeds/enum",
+                      "AgaaMeasurement::seeds",
                       [](ViewParts& p, double x) { p.measurement.seeds = whole(x); },
-                      {AGAA_SEEDS_MAXIMIN, AGAA_SEEDS_SUM_OF_SQUARES}, largeNumbers({}), nullptr,
+                      {AGAA_SEEDS_MAXIMIN, AGAA_SEEDS_SUM_OF_SQUARES},
+                      largeNumbers({}),
+                      nullptr,
                       {AGAA_SEEDS_SUM_OF_SQUARES + 1}});
-    addMember(suite, {"AgaaMeasurement.reserved/zero", "AgaaMeasurement::reserved",
-                      [](ViewParts& p, double x) { p.measurement.reserved = whole(x); }, {0}, largeNumbers({}), nullptr, {1}});
+    addMember(suite, {"AgaaMeasurement.reserved/zero",
+                      "AgaaMeasurement::reserved",
+                      [](ViewParts& p, double x) { p.measurement.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      nullptr,
+                      {1}});
     addFlags(suite, {"AgaaMeasurement.flags/flags", "AgaaMeasurement::flags",
                      [](ViewParts& p, uint64_t flags) { p.measurement.flags = flags; },
                      AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
@@ -239,8 +335,9 @@ void addConfigMemberCases(Suite& suite) {
         ViewParts parts(test.sdk, nullptr);
         const std::string withNull = planText(test, parts);
         parts.useLayout();
-        test.check(planText(test, parts) == withNull,
-                   "agaaPlanToJson with AgaaConfig::layout = null and with the layout \"precise\" writes different plans.");
+        test.check(
+            planText(test, parts) == withNull,
+            "agaaPlanToJson with AgaaConfig::layout = null and with the layout \"precise\" writes different plans.");
     });
 }
 

@@ -90,41 +90,89 @@ void setCount(ViewParts& parts, double x) {
 }
 
 void addAttributes(Suite& suite) {
-    addAttribute(suite, {"AgaaLayoutAttribute.semantic/enum", "AgaaLayoutAttribute::semantic", setSemantic,
-                      {AGAA_SEMANTIC_DIFFUSE, AGAA_SEMANTIC_NORMAL, AGAA_SEMANTIC_EMISSIVE, AGAA_SEMANTIC_CUSTOM,
-                       AGAA_SEMANTIC_SPECULAR},
-                      largeNumbers({}), roughLayout, {AGAA_SEMANTIC_COUNT}});
-    addAttribute(suite, {"AgaaLayoutAttribute.sampleBits/range", "AgaaLayoutAttribute::sampleBits",
-                      set<0, &Attribute::sampleBits>, {8, 10, 16}, largeNumbers({0, 1, 7, 9, 11, 15, 17, 32}), simpleLayout});
-    addAttribute(suite, {"AgaaLayoutAttribute.sampleBits/range/normal", "AgaaLayoutAttribute::sampleBits",
-                      set<1, &Attribute::sampleBits>, {8, 16}, {0, 9, 32}, simpleLayout});
-    addAttribute(suite, {"AgaaLayoutAttribute.aggregateBits/range", "AgaaLayoutAttribute::aggregateBits",
-                      set<0, &Attribute::aggregateBits>, {0, 6, 7, 15, 16}, largeNumbers({1, 5, 17, 32}), simpleLayout});
-    addAttribute(suite, {"AgaaLayoutAttribute.chromaBits/range", "AgaaLayoutAttribute::chromaBits",
-                      set<2, &Attribute::chromaBits>, {6, 7, 15, 16}, largeNumbers({0, 1, 5, 17, 32}), ycbcrLayout});
-    addAttribute(suite, {"AgaaLayoutAttribute.encoding/enum", "AgaaLayoutAttribute::encoding", setEncoding,
-                      {AGAA_ENCODING_UNORM, AGAA_ENCODING_YCBCR, AGAA_ENCODING_FOLDED}, largeNumbers({}), simpleLayout,
-                      {AGAA_ENCODING_FOLDED + 1}});
-    addAttribute(suite, {"AgaaLayoutAttribute.range/range", "AgaaLayoutAttribute::range", set<4, &Attribute::range>,
-                      {1e-6f, 1, 65504}, notNumbers({below(1e-6f), 0, -1, above(65504), 3e38}), simpleLayout});
-    addAttribute(suite, {"AgaaLayoutAttribute.range/range/diffuse", "AgaaLayoutAttribute::range", set<0, &Attribute::range>, {1},
-                      notNumbers({0, -1, below(1), above(1)}), simpleLayout});
-    addAttribute(suite, {"AgaaLayoutAttribute.range/range/custom", "AgaaLayoutAttribute::range", set<5, &Attribute::range>,
-                      {1e-6f, 1, 65504}, notNumbers({below(1e-6f), 0, -1, above(65504), 3e38}), customLayout});
-    addAttribute(suite, {"AgaaLayoutAttribute.filter/enum", "AgaaLayoutAttribute::filter", set<5, &Attribute::filter>,
-                      {AGAA_FILTER_MEAN, AGAA_FILTER_NORMAL, AGAA_FILTER_NONE}, largeNumbers({}),
-                      [](ViewParts& parts) {
-                          customLayout(parts);
-                          parts.layout.attributes[5].aggregateBits = 8; // 24 bits of an unfiltered attribute
-                      },
-                      {AGAA_FILTER_NONE + 1}});
-    addAttribute(suite, {"AgaaLayoutAttribute.filter/enum/diffuse", "AgaaLayoutAttribute::filter", set<0, &Attribute::filter>,
-                      {0}, largeNumbers({AGAA_FILTER_NORMAL, AGAA_FILTER_NONE}), simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.semantic/enum",
+                         "AgaaLayoutAttribute::semantic",
+                         setSemantic,
+                         {AGAA_SEMANTIC_DIFFUSE, AGAA_SEMANTIC_NORMAL, AGAA_SEMANTIC_EMISSIVE, AGAA_SEMANTIC_CUSTOM,
+                          AGAA_SEMANTIC_SPECULAR},
+                         largeNumbers({}),
+                         roughLayout,
+                         {AGAA_SEMANTIC_COUNT}});
+    addAttribute(suite, {"AgaaLayoutAttribute.sampleBits/range",
+                         "AgaaLayoutAttribute::sampleBits",
+                         set<0, &Attribute::sampleBits>,
+                         {8, 10, 16},
+                         largeNumbers({0, 1, 7, 9, 11, 15, 17, 32}),
+                         simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.sampleBits/range/normal",
+                         "AgaaLayoutAttribute::sampleBits",
+                         set<1, &Attribute::sampleBits>,
+                         {8, 16},
+                         {0, 9, 32},
+                         simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.aggregateBits/range",
+                         "AgaaLayoutAttribute::aggregateBits",
+                         set<0, &Attribute::aggregateBits>,
+                         {0, 6, 7, 15, 16},
+                         largeNumbers({1, 5, 17, 32}),
+                         simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.chromaBits/range",
+                         "AgaaLayoutAttribute::chromaBits",
+                         set<2, &Attribute::chromaBits>,
+                         {6, 7, 15, 16},
+                         largeNumbers({0, 1, 5, 17, 32}),
+                         ycbcrLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.encoding/enum",
+                         "AgaaLayoutAttribute::encoding",
+                         setEncoding,
+                         {AGAA_ENCODING_UNORM, AGAA_ENCODING_YCBCR, AGAA_ENCODING_FOLDED},
+                         largeNumbers({}),
+                         simpleLayout,
+                         {AGAA_ENCODING_FOLDED + 1}});
+    addAttribute(suite, {"AgaaLayoutAttribute.range/range",
+                         "AgaaLayoutAttribute::range",
+                         set<4, &Attribute::range>,
+                         {1e-6f, 1, 65504},
+                         notNumbers({below(1e-6f), 0, -1, above(65504), 3e38}),
+                         simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.range/range/diffuse",
+                         "AgaaLayoutAttribute::range",
+                         set<0, &Attribute::range>,
+                         {1},
+                         notNumbers({0, -1, below(1), above(1)}),
+                         simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.range/range/custom",
+                         "AgaaLayoutAttribute::range",
+                         set<5, &Attribute::range>,
+                         {1e-6f, 1, 65504},
+                         notNumbers({below(1e-6f), 0, -1, above(65504), 3e38}),
+                         customLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.filter/enum",
+                         "AgaaLayoutAttribute::filter",
+                         set<5, &Attribute::filter>,
+                         {AGAA_FILTER_MEAN, AGAA_FILTER_NORMAL, AGAA_FILTER_NONE},
+                         largeNumbers({}),
+                         [](ViewParts& parts) {
+                             customLayout(parts);
+                             parts.layout.attributes[5].aggregateBits = 8; // 24 bits of an unfiltered attribute
+                         },
+                         {AGAA_FILTER_NONE + 1}});
+    addAttribute(suite, {"AgaaLayoutAttribute.filter/enum/diffuse",
+                         "AgaaLayoutAttribute::filter",
+                         set<0, &Attribute::filter>,
+                         {0},
+                         largeNumbers({AGAA_FILTER_NORMAL, AGAA_FILTER_NONE}),
+                         simpleLayout});
     const auto setReserved = [](ViewParts& parts, double x) {
         parts.layout.attributes[1].reserved[x < 0] = uint64_t(std::fabs(x));
     };
-    addMember(suite, {"AgaaLayoutAttribute.reserved/zero", "AgaaLayoutAttribute::reserved", setReserved, {0},
-                      {0x1p62, -0x1p62}, simpleLayout, {1, -1}});
+    addMember(suite, {"AgaaLayoutAttribute.reserved/zero",
+                      "AgaaLayoutAttribute::reserved",
+                      setReserved,
+                      {0},
+                      {0x1p62, -0x1p62},
+                      simpleLayout,
+                      {1, -1}});
 }
 
 // Tests names of custom attributes. A layout with an invalid name fails; the code may vary.
@@ -135,8 +183,9 @@ void testNames(Test& test) {
         parts.layout.attributes[5].name = name;
         expectAccepted(test, parts, std::string("a custom attribute \"") + name + '"');
     }
-    for (const char* name : {"", "2wet", "_wet", "wet__ness", "gl_wet", "agaaWet", "AGAA_WET", "wet-ness", "wet ness",
-                             "abcdefghijklmnopqrstuvwxyz012345", "float", "vec3", "diffuse", "normal", "samples", "w\xC3\xA4t"}) {
+    for (const char* name :
+         {"", "2wet", "_wet", "wet__ness", "gl_wet", "agaaWet", "AGAA_WET", "wet-ness", "wet ness",
+          "abcdefghijklmnopqrstuvwxyz012345", "float", "vec3", "diffuse", "normal", "samples", "w\xC3\xA4t"}) {
         ViewParts parts(test.sdk, nullptr);
         customLayout(parts);
         parts.layout.attributes[5].name = name;
@@ -205,10 +254,20 @@ void testNoDiffuse(Test& test) {
 
 void addLayoutMemberCases(Suite& suite) {
     addAttributes(suite);
-    addAttribute(suite, {"AgaaLayout.attributeCount/range", "AgaaLayout::attributeCount", setCount, {2, 3, 12},
-                      largeNumbers({0, 1}), nullptr, {AGAA_MAX_LAYOUT_ATTRIBUTES + 1}});
-    addMember(suite, {"AgaaLayout.reserved/zero", "AgaaLayout::reserved",
-                      [](ViewParts& p, double x) { p.layout.reserved = whole(x); }, {0}, largeNumbers({}), simpleLayout, {1}});
+    addAttribute(suite, {"AgaaLayout.attributeCount/range",
+                         "AgaaLayout::attributeCount",
+                         setCount,
+                         {2, 3, 12},
+                         largeNumbers({0, 1}),
+                         nullptr,
+                         {AGAA_MAX_LAYOUT_ATTRIBUTES + 1}});
+    addMember(suite, {"AgaaLayout.reserved/zero",
+                      "AgaaLayout::reserved",
+                      [](ViewParts& p, double x) { p.layout.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      simpleLayout,
+                      {1}});
     suite.core("AgaaLayoutAttribute.name/AGAA_ERROR_LAYOUT", testNames);
     suite.core("AgaaLayout/AGAA_ERROR_LAYOUT", testAttributeMembers);
     suite.core("AgaaLayout/AGAA_ERROR_OUT_OF_RANGE", testReservedMembers);

@@ -11,42 +11,62 @@ namespace {
 uint32_t whole(double value) { return uint32_t(value); }
 
 void addFactsAndView(Suite& suite) {
-    addMember(suite, {"AgaaSceneFacts.maxLights/range", "AgaaSceneFacts::maxLights",
+    addMember(suite, {"AgaaSceneFacts.maxLights/range",
+                      "AgaaSceneFacts::maxLights",
                       [](ViewParts& p, double x) { p.facts.maxLights = whole(x); },
-                      {0, 1, 4095, 4096}, largeNumbers({4097})});
-    addMember(suite, {"AgaaSceneFacts.shadowMapCount/range", "AgaaSceneFacts::shadowMapCount",
+                      {0, 1, 4095, 4096},
+                      largeNumbers({4097})});
+    addMember(suite, {"AgaaSceneFacts.shadowMapCount/range",
+                      "AgaaSceneFacts::shadowMapCount",
                       [](ViewParts& p, double x) { p.facts.shadowMapCount = whole(x); },
-                      {0, 1, 2, 3, AGAA_MAX_SHADOW_MAPS}, largeNumbers({AGAA_MAX_SHADOW_MAPS + 1, 31, 32, 33})});
+                      {0, 1, 2, 3, AGAA_MAX_SHADOW_MAPS},
+                      largeNumbers({AGAA_MAX_SHADOW_MAPS + 1, 31, 32, 33})});
     addFlags(suite, {"AgaaSceneFacts.flags/flags", "AgaaSceneFacts::flags",
                      [](ViewParts& p, uint64_t flags) { p.facts.flags = flags; },
                      AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH | AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR |
                          AGAA_FACT_ONE_SPECULAR | AGAA_FACT_NO_DIFFUSE | AGAA_FACT_NO_LOCAL_LIGHTS |
                          AGAA_FACT_NO_TRANSLUCENCY | AGAA_FACT_NO_CUTOUTS | AGAA_FACT_PLANE_NORMALS,
                      nullptr});
-    addMember(suite, {"AgaaSceneFacts.alpha2/range", "AgaaSceneFacts::alpha2",
-                      [](ViewParts& p, double x) { p.facts.alpha2 = float(x); }, {5e-6, 0.25, below(1), 1},
+    addMember(suite, {"AgaaSceneFacts.alpha2/range",
+                      "AgaaSceneFacts::alpha2",
+                      [](ViewParts& p, double x) { p.facts.alpha2 = float(x); },
+                      {5e-6, 0.25, below(1), 1},
                       notNumbers({0, -1, 4e-6, above(1)})});
-    addMember(suite, {"AgaaSceneFacts.specular/range", "AgaaSceneFacts::specular",
-                      [](ViewParts& p, double x) { p.facts.specular = float(x); }, {0, above(0), 0.04, 1},
+    addMember(suite, {"AgaaSceneFacts.specular/range",
+                      "AgaaSceneFacts::specular",
+                      [](ViewParts& p, double x) { p.facts.specular = float(x); },
+                      {0, above(0), 0.04, 1},
                       notNumbers({below(0), -1, above(1)})});
-    addMember(suite, {"AgaaViewDesc.width/range", "AgaaViewDesc::width",
-                      [](ViewParts& p, double x) { p.desc.width = whole(x); }, {1, 2, 4099}, {0}});
-    addMember(suite, {"AgaaViewDesc.height/range", "AgaaViewDesc::height",
-                      [](ViewParts& p, double x) { p.desc.height = whole(x); }, {1, 2, 4099}, {0}});
-    addFlags(suite, {"AgaaViewDesc.flags/flags", "AgaaViewDesc::flags",
-                     [](ViewParts& p, uint64_t flags) { p.desc.flags = flags; },
-                     AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE |
-                         AGAA_VIEW_VERTEX_PULLING,
-                     nullptr});
+    addMember(suite, {"AgaaViewDesc.width/range",
+                      "AgaaViewDesc::width",
+                      [](ViewParts& p, double x) { p.desc.width = whole(x); },
+                      {1, 2, 4099},
+                      {0}});
+    addMember(suite, {"AgaaViewDesc.height/range",
+                      "AgaaViewDesc::height",
+                      [](ViewParts& p, double x) { p.desc.height = whole(x); },
+                      {1, 2, 4099},
+                      {0}});
+    addFlags(suite,
+             {"AgaaViewDesc.flags/flags", "AgaaViewDesc::flags",
+              [](ViewParts& p, uint64_t flags) { p.desc.flags = flags; },
+              AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE | AGAA_VIEW_VERTEX_PULLING,
+              nullptr});
 }
 
 void addCaps(Suite& suite) {
-    addMember(suite, {"AgaaDeviceCaps.reserved/zero", "AgaaDeviceCaps::reserved",
-                      [](ViewParts& p, double x) { p.caps.reserved = whole(x); }, {0}, largeNumbers({}), nullptr, {1}});
-    addFlags(suite, {"AgaaDeviceCaps.flags/flags", "AgaaDeviceCaps::flags",
-                     [](ViewParts& p, uint64_t flags) { p.caps.flags = flags; },
-                     idealDeviceFlags | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE | AGAA_DEVICE_CONDITIONAL_RENDERING,
-                     [](ViewParts& p) { p.config.flags = 0; }});
+    addMember(suite, {"AgaaDeviceCaps.reserved/zero",
+                      "AgaaDeviceCaps::reserved",
+                      [](ViewParts& p, double x) { p.caps.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      nullptr,
+                      {1}});
+    addFlags(suite,
+             {"AgaaDeviceCaps.flags/flags", "AgaaDeviceCaps::flags",
+              [](ViewParts& p, uint64_t flags) { p.caps.flags = flags; },
+              idealDeviceFlags | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE | AGAA_DEVICE_CONDITIONAL_RENDERING,
+              [](ViewParts& p) { p.config.flags = 0; }});
 }
 
 void setPosition(ViewParts& parts, double x) {
@@ -64,21 +84,46 @@ void addFunctions(Suite& suite) {
         p.facts.shadowMapCount = 1;
         p.chain(p.shadow);
     };
-    addMember(suite, {"AgaaGBufferFunction.samplePositions/range", "AgaaGBufferFunction::samplePositions", setPosition,
-                      {0, 0.5, below(1)}, notNumbers({below(0), -1, 1, 2}), gbuffer});
-    addMember(suite, {"AgaaGBufferFunction.depthBits/range", "AgaaGBufferFunction::depthBits",
-                      [](ViewParts& p, double x) { p.gbuffer.depthBits = whole(x); }, {0, 16, 24},
-                      largeNumbers({1, 8, 15, 23, 25, 32}), gbuffer});
-    addMember(suite, {"AgaaGBufferFunction.reserved/zero", "AgaaGBufferFunction::reserved",
-                      [](ViewParts& p, double x) { p.gbuffer.reserved = whole(x); }, {0}, largeNumbers({}), gbuffer, {1}});
-    addMember(suite, {"AgaaFetchFunction.maxDraws/range", "AgaaFetchFunction::maxDraws",
-                      [](ViewParts& p, double x) { p.fetch.maxDraws = whole(x); }, {1, 2, (1u << 22) - 1}, {0}, fetch});
-    addMember(suite, {"AgaaFetchFunction.maxPrimitives/range", "AgaaFetchFunction::maxPrimitives",
-                      [](ViewParts& p, double x) { p.fetch.maxPrimitives = whole(x); }, {1, 2, 3, 1u << 27}, {0}, fetch});
+    addMember(suite, {"AgaaGBufferFunction.samplePositions/range",
+                      "AgaaGBufferFunction::samplePositions",
+                      setPosition,
+                      {0, 0.5, below(1)},
+                      notNumbers({below(0), -1, 1, 2}),
+                      gbuffer});
+    addMember(suite, {"AgaaGBufferFunction.depthBits/range",
+                      "AgaaGBufferFunction::depthBits",
+                      [](ViewParts& p, double x) { p.gbuffer.depthBits = whole(x); },
+                      {0, 16, 24},
+                      largeNumbers({1, 8, 15, 23, 25, 32}),
+                      gbuffer});
+    addMember(suite, {"AgaaGBufferFunction.reserved/zero",
+                      "AgaaGBufferFunction::reserved",
+                      [](ViewParts& p, double x) { p.gbuffer.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      gbuffer,
+                      {1}});
+    addMember(suite, {"AgaaFetchFunction.maxDraws/range",
+                      "AgaaFetchFunction::maxDraws",
+                      [](ViewParts& p, double x) { p.fetch.maxDraws = whole(x); },
+                      {1, 2, (1u << 22) - 1},
+                      {0},
+                      fetch});
+    addMember(suite, {"AgaaFetchFunction.maxPrimitives/range",
+                      "AgaaFetchFunction::maxPrimitives",
+                      [](ViewParts& p, double x) { p.fetch.maxPrimitives = whole(x); },
+                      {1, 2, 3, 1u << 27},
+                      {0},
+                      fetch});
     addFlags(suite, {"AgaaFetchFunction.flags/flags", "AgaaFetchFunction::flags",
                      [](ViewParts& p, uint64_t flags) { p.fetch.flags = flags; }, AGAA_FETCH_NOT_ALL_DRAWS, fetch});
-    addMember(suite, {"AgaaShadowFunction.reserved/zero", "AgaaShadowFunction::reserved",
-                      [](ViewParts& p, double x) { p.shadow.reserved = whole(x); }, {0}, largeNumbers({}), shadow, {1}});
+    addMember(suite, {"AgaaShadowFunction.reserved/zero",
+                      "AgaaShadowFunction::reserved",
+                      [](ViewParts& p, double x) { p.shadow.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      shadow,
+                      {1}});
 }
 
 // Numbers of draws and primitives whose ids fit 32 bits, and the next larger ones.
@@ -88,19 +133,20 @@ void testIds(Test& test) {
         uint64_t flags;
         bool isAccepted;
     };
-    for (const Row& row : {Row{0xFFFFFFFF, 1, 0, true}, Row{0xFFFFFFFE, 1, AGAA_FETCH_NOT_ALL_DRAWS, true},
-                           Row{0xFFFFFFFF, 1, AGAA_FETCH_NOT_ALL_DRAWS, false}, Row{0xFFFF, 0x10000, 0, true},
-                           Row{0xFFFF, 0xFFFF, 0, true}, Row{0x10000, 0x10000, 0, false}, Row{0x10000, 0xFFFF, 0, false},
-                           Row{0xFFFF, 0x10001, 0, false}, Row{1, 0x80000000, 0, true}, Row{1, 0x80000001, 0, false},
-                           Row{1, 0xFFFFFFFF, 0, false}, Row{0xFFFFFFFF, 2, 0, false},
-                           Row{0xFFFFFFFF, 0xFFFFFFFF, 0, false}}) {
+    for (const Row& row :
+         {Row{0xFFFFFFFF, 1, 0, true}, Row{0xFFFFFFFE, 1, AGAA_FETCH_NOT_ALL_DRAWS, true},
+          Row{0xFFFFFFFF, 1, AGAA_FETCH_NOT_ALL_DRAWS, false}, Row{0xFFFF, 0x10000, 0, true},
+          Row{0xFFFF, 0xFFFF, 0, true}, Row{0x10000, 0x10000, 0, false}, Row{0x10000, 0xFFFF, 0, false},
+          Row{0xFFFF, 0x10001, 0, false}, Row{1, 0x80000000, 0, true}, Row{1, 0x80000001, 0, false},
+          Row{1, 0xFFFFFFFF, 0, false}, Row{0xFFFFFFFF, 2, 0, false}, Row{0xFFFFFFFF, 0xFFFFFFFF, 0, false}}) {
         ViewParts parts(test.sdk, nullptr);
         parts.chain(parts.fetch);
         parts.fetch.maxDraws = row.draws;
         parts.fetch.maxPrimitives = row.primitives;
         parts.fetch.flags = row.flags;
-        const std::string what = "AgaaFetchFunction::maxDraws = " + std::to_string(row.draws) + ", ::maxPrimitives = " +
-                                 std::to_string(row.primitives) + (row.flags ? ", AGAA_FETCH_NOT_ALL_DRAWS" : "");
+        const std::string what = "AgaaFetchFunction::maxDraws = " + std::to_string(row.draws) +
+                                 ", ::maxPrimitives = " + std::to_string(row.primitives) +
+                                 (row.flags ? ", AGAA_FETCH_NOT_ALL_DRAWS" : "");
         if (row.isAccepted)
             expectAccepted(test, parts, what);
         else
@@ -109,14 +155,15 @@ void testIds(Test& test) {
 }
 
 // Lines other than "#extension NAME : BEHAVIOUR".
-template <class Function> void testExtensions(Test& test, Function ViewParts::* member, const std::string& name) {
+template <class Function> void testExtensions(Test& test, Function ViewParts::*member, const std::string& name) {
     const auto partsWith = [&](ViewParts& parts, const char* text) {
         parts.facts.shadowMapCount = 1;
         (parts.*member).glslExtensions = text;
         parts.chain(parts.*member);
     };
-    for (const char* text : {"#extension GL_EXT_nonuniform_qualifier : require\n",
-                             "#extension GL_EXT_nonuniform_qualifier : enable", "#extension A : warn\n#extension B : disable\n"}) {
+    for (const char* text :
+         {"#extension GL_EXT_nonuniform_qualifier : require\n", "#extension GL_EXT_nonuniform_qualifier : enable",
+          "#extension A : warn\n#extension B : disable\n"}) {
         ViewParts parts(test.sdk, nullptr);
         partsWith(parts, text);
         expectAccepted(test, parts, name + "::glslExtensions = \"" + text + '"');

@@ -77,13 +77,14 @@ void testCapsNull(Test& test) {
                        std::string("agaaQueryMemory of \"") + technique + "\" with caps = null");
         test.requireOk(test.sdk.agaaQueryMemory(&parts.desc, &parts.caps, nullptr, &withCaps, nullptr, nullptr),
                        std::string("agaaQueryMemory of \"") + technique + "\" with an ideal device");
-        test.check(isSameBytes(withNull, withCaps),
-                   std::string("agaaQueryMemory of \"") + technique + "\" differs for caps = null and an ideal device.");
+        test.check(isSameBytes(withNull, withCaps), std::string("agaaQueryMemory of \"") + technique +
+                                                        "\" differs for caps = null and an ideal device.");
         AgaaTarget targetOfNull = initialTarget, targetOfCaps = initialTarget;
-        test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, nullptr, nullptr, &targetOfNull), "agaaQueryTarget with caps = null");
+        test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, nullptr, nullptr, &targetOfNull),
+                       "agaaQueryTarget with caps = null");
         test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, nullptr, &targetOfCaps), "agaaQueryTarget");
-        test.check(isSameBytes(targetOfNull, targetOfCaps),
-                   std::string("agaaQueryTarget of \"") + technique + "\" differs for caps = null and an ideal device.");
+        test.check(isSameBytes(targetOfNull, targetOfCaps), std::string("agaaQueryTarget of \"") + technique +
+                                                                "\" differs for caps = null and an ideal device.");
     }
 }
 
@@ -177,15 +178,17 @@ void testMemoryStruct(Test& test) {
         uint32_t count = uint32_t(surfaces.size());
         expectRefused(test, test.sdk.agaaQueryMemory(&parts.desc, nullptr, log.get(), nullptr, &count, surfaces.data()),
                       AGAA_ERROR_STRUCT, log, "agaaQueryMemory",
-                      "agaaQueryMemory with surface " + std::to_string(wrong) + " that is not initialised", "AgaaSurface");
+                      "agaaQueryMemory with surface " + std::to_string(wrong) + " that is not initialised",
+                      "AgaaSurface");
         surfaces[wrong].sType = AGAA_STRUCTURE_TYPE_SURFACE;
         test.check(std::memcmp(before.data(), surfaces.data(), surfaces.size() * sizeof(AgaaSurface)) == 0,
                    "agaaQueryMemory fails and changes surfaces.");
     }
     AgaaDeviceCaps caps = parts.caps;
     caps.structSize = 0;
-    expectRefused(test, test.sdk.agaaQueryMemory(&parts.desc, &caps, log.get(), nullptr, nullptr, nullptr), AGAA_ERROR_STRUCT,
-                  log, "agaaQueryMemory", "agaaQueryMemory with AgaaDeviceCaps::structSize = 0", "AgaaDeviceCaps");
+    expectRefused(test, test.sdk.agaaQueryMemory(&parts.desc, &caps, log.get(), nullptr, nullptr, nullptr),
+                  AGAA_ERROR_STRUCT, log, "agaaQueryMemory", "agaaQueryMemory with AgaaDeviceCaps::structSize = 0",
+                  "AgaaDeviceCaps");
 }
 
 void testSurfaceSteps(Test& test) {
@@ -203,8 +206,8 @@ void testSurfaceSteps(Test& test) {
         AgaaSurface got = *element(i);
         test.check(got.structSize == stride, "agaaQueryMemory changes structSize of a surface.");
         got.structSize = sizeof got;
-        test.check(isSameBytes(got, expected[i]),
-                   "agaaQueryMemory does not step by the caller's structSize: surface " + std::to_string(i) + " differs.");
+        test.check(isSameBytes(got, expected[i]), "agaaQueryMemory does not step by the caller's structSize: surface " +
+                                                      std::to_string(i) + " differs.");
     }
     test.check(array.findDifference(expected.size() * stride, array.size(), Bytes::pattern) == array.size(),
                "agaaQueryMemory writes beyond an array of larger surfaces.");
@@ -247,10 +250,10 @@ void testTargetTooLarge(Test& test) {
         uint32_t samples, counts; // sample counts of the device
         AgaaResult expected;
     };
-    for (const Row& row : {Row{1000, 1, 4, 0x3F, AGAA_OK}, Row{1001, 1, 4, 0x3F, AGAA_ERROR_TOO_LARGE},
-                           Row{1, 1000, 4, 0x3F, AGAA_OK}, Row{1, 1001, 4, 0x3F, AGAA_ERROR_TOO_LARGE},
-                           Row{500, 500, 4, 0x1, AGAA_OK}, Row{501, 1, 4, 0x1, AGAA_ERROR_TOO_LARGE},
-                           Row{0xFFFFFFFF, 1, 4, 0x1, AGAA_ERROR_TOO_LARGE}}) {
+    for (const Row& row :
+         {Row{1000, 1, 4, 0x3F, AGAA_OK}, Row{1001, 1, 4, 0x3F, AGAA_ERROR_TOO_LARGE}, Row{1, 1000, 4, 0x3F, AGAA_OK},
+          Row{1, 1001, 4, 0x3F, AGAA_ERROR_TOO_LARGE}, Row{500, 500, 4, 0x1, AGAA_OK},
+          Row{501, 1, 4, 0x1, AGAA_ERROR_TOO_LARGE}, Row{0xFFFFFFFF, 1, 4, 0x1, AGAA_ERROR_TOO_LARGE}}) {
         ViewParts parts(test.sdk, nullptr);
         parts.caps.maxImageSize = 1000;
         parts.caps.sampleCounts = row.counts; // a pixel with 4 samples is 2 x 2 texels of one sample
@@ -260,8 +263,9 @@ void testTargetTooLarge(Test& test) {
         LogRecorder log;
         AgaaTarget target = initialTarget;
         const AgaaResult result = test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, log.get(), &target);
-        const std::string what = "agaaQueryTarget of " + std::to_string(row.width) + " x " + std::to_string(row.height) +
-                                 " pixels with sampleCounts = " + std::to_string(row.counts) + " and maxImageSize = 1000";
+        const std::string what =
+            "agaaQueryTarget of " + std::to_string(row.width) + " x " + std::to_string(row.height) +
+            " pixels with sampleCounts = " + std::to_string(row.counts) + " and maxImageSize = 1000";
         if (row.expected == AGAA_OK)
             test.result(result, AGAA_OK, what);
         else
@@ -285,13 +289,15 @@ void addMemoryCases(Suite& suite) {
     suite.core("agaaQueryMemory/surfaces.unchanged", testSurfacesUnchanged);
     suite.core("agaaQueryMemory/AGAA_ERROR_INVALID_ARGUMENT", testMemoryArguments);
     suite.core("agaaQueryMemory/AGAA_ERROR_LAYOUT", [](Test& test) { testWrongMemory(test, AGAA_ERROR_LAYOUT); });
-    suite.core("agaaQueryMemory/AGAA_ERROR_UNSUPPORTED", [](Test& test) { testWrongMemory(test, AGAA_ERROR_UNSUPPORTED); });
+    suite.core("agaaQueryMemory/AGAA_ERROR_UNSUPPORTED",
+               [](Test& test) { testWrongMemory(test, AGAA_ERROR_UNSUPPORTED); });
     suite.core("agaaQueryMemory/AGAA_ERROR_TOO_LARGE", [](Test& test) { testWrongMemory(test, AGAA_ERROR_TOO_LARGE); });
     suite.core("agaaQueryMemory/wrong_views", [](Test& test) { testWrongMemory(test, AGAA_OK); });
     suite.core("agaaQueryTarget/log.null", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);
         AgaaTarget target = initialTarget;
-        test.result(test.sdk.agaaQueryTarget(&parts.desc, nullptr, nullptr, &target), AGAA_OK, "agaaQueryTarget with log = null");
+        test.result(test.sdk.agaaQueryTarget(&parts.desc, nullptr, nullptr, &target), AGAA_OK,
+                    "agaaQueryTarget with log = null");
         parts.desc.width = 0;
         test.result(test.sdk.agaaQueryTarget(&parts.desc, nullptr, nullptr, &target), AGAA_ERROR_OUT_OF_RANGE,
                     "agaaQueryTarget with log = null and AgaaViewDesc::width = 0");
@@ -300,8 +306,9 @@ void addMemoryCases(Suite& suite) {
     suite.core("agaaQueryTarget/AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);
         LogRecorder log;
-        expectRefused(test, test.sdk.agaaQueryTarget(&parts.desc, nullptr, log.get(), nullptr), AGAA_ERROR_INVALID_ARGUMENT, log,
-                      "agaaQueryTarget", "agaaQueryTarget with outTarget = null", "AgaaTarget");
+        expectRefused(test, test.sdk.agaaQueryTarget(&parts.desc, nullptr, log.get(), nullptr),
+                      AGAA_ERROR_INVALID_ARGUMENT, log, "agaaQueryTarget", "agaaQueryTarget with outTarget = null",
+                      "AgaaTarget");
     });
     suite.core("agaaQueryTarget/AGAA_ERROR_STRUCT", testTargetStruct);
     suite.core("agaaQueryTarget/AGAA_ERROR_TOO_LARGE", testTargetTooLarge);

@@ -18,14 +18,25 @@ struct ResultRow {
     const char* name;
 };
 
-#define AGAA_RESULT(name) {name, #name}
-constexpr ResultRow results[] = {
-    AGAA_RESULT(AGAA_OK), AGAA_RESULT(AGAA_NOT_READY), AGAA_RESULT(AGAA_ERROR_INVALID_ARGUMENT),
-    AGAA_RESULT(AGAA_ERROR_VERSION), AGAA_RESULT(AGAA_ERROR_STRUCT), AGAA_RESULT(AGAA_ERROR_UNKNOWN_STRUCT),
-    AGAA_RESULT(AGAA_ERROR_OUT_OF_RANGE), AGAA_RESULT(AGAA_ERROR_UNSUPPORTED), AGAA_RESULT(AGAA_ERROR_LAYOUT),
-    AGAA_RESULT(AGAA_ERROR_TOO_LARGE), AGAA_RESULT(AGAA_ERROR_OUT_OF_MEMORY), AGAA_RESULT(AGAA_ERROR_DEVICE),
-    AGAA_RESULT(AGAA_ERROR_CALLBACK), AGAA_RESULT(AGAA_ERROR_PARTIAL), AGAA_RESULT(AGAA_ERROR_WRONG_ORDER),
-    AGAA_RESULT(AGAA_ERROR_BUFFER_TOO_SMALL), AGAA_RESULT(AGAA_ERROR_INTERNAL)};
+#define AGAA_RESULT(name)                                                                                              \
+    { name, #name }
+constexpr ResultRow results[] = {AGAA_RESULT(AGAA_OK),
+                                 AGAA_RESULT(AGAA_NOT_READY),
+                                 AGAA_RESULT(AGAA_ERROR_INVALID_ARGUMENT),
+                                 AGAA_RESULT(AGAA_ERROR_VERSION),
+                                 AGAA_RESULT(AGAA_ERROR_STRUCT),
+                                 AGAA_RESULT(AGAA_ERROR_UNKNOWN_STRUCT),
+                                 AGAA_RESULT(AGAA_ERROR_OUT_OF_RANGE),
+                                 AGAA_RESULT(AGAA_ERROR_UNSUPPORTED),
+                                 AGAA_RESULT(AGAA_ERROR_LAYOUT),
+                                 AGAA_RESULT(AGAA_ERROR_TOO_LARGE),
+                                 AGAA_RESULT(AGAA_ERROR_OUT_OF_MEMORY),
+                                 AGAA_RESULT(AGAA_ERROR_DEVICE),
+                                 AGAA_RESULT(AGAA_ERROR_CALLBACK),
+                                 AGAA_RESULT(AGAA_ERROR_PARTIAL),
+                                 AGAA_RESULT(AGAA_ERROR_WRONG_ORDER),
+                                 AGAA_RESULT(AGAA_ERROR_BUFFER_TOO_SMALL),
+                                 AGAA_RESULT(AGAA_ERROR_INTERNAL)};
 #undef AGAA_RESULT
 constexpr AgaaResult unknownResults[] = {INT_MIN, INT_MIN + 1, -1000000, 1000000, INT_MAX - 1, INT_MAX};
 
@@ -93,7 +104,8 @@ void testNames(Test& test) {
         const std::vector<std::string> names = namesOf(test, kind);
         const std::string call = "agaaGetNames(" + std::to_string(kind) + ")";
         test.check(!names.empty(), call + " lists nothing.");
-        test.check(std::set<std::string>(names.begin(), names.end()).size() == names.size(), call + " lists a name twice.");
+        test.check(std::set<std::string>(names.begin(), names.end()).size() == names.size(),
+                   call + " lists a name twice.");
         for (const std::string& name : names)
             test.check(std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::isupper(c); }),
                        call + " lists \"" + name + "\", which is not lower case.");
@@ -104,7 +116,8 @@ void testNames(Test& test) {
             test.check(std::find(names.begin(), names.end(), name) != names.end(),
                        "agaaGetNames(" + std::to_string(kind) + ") does not list \"" + name + "\".");
     };
-    expect(AGAA_NAMES_TECHNIQUES, {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"});
+    expect(AGAA_NAMES_TECHNIQUES,
+           {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"});
     expect(AGAA_NAMES_LAYOUTS, {"paper16", "precise"});
     expect(AGAA_NAMES_PRESETS, {"paper", "fast", "balanced", "accurate"});
 }
@@ -139,7 +152,8 @@ void testNamesTooSmall(Test& test) {
         }
         uint32_t count = needed + 1;
         test.requireOk(test.sdk.agaaGetNames(kind, &count, names.data()), "agaaGetNames with a longer array");
-        test.check(count == needed && !names[needed], "agaaGetNames with a longer array does not return the number of names.");
+        test.check(count == needed && !names[needed],
+                   "agaaGetNames with a longer array does not return the number of names.");
     }
 }
 
@@ -147,20 +161,31 @@ struct NamedTier {
     uint32_t tier;
     const char* part; // part of the name
 };
-constexpr NamedTier tiers[] = {{AGAA_TIER_AUTO, "auto"}, {AGAA_TIER_NATIVE, "native"}, {AGAA_TIER_NV_MULTICAST, "multicast"},
-                               {AGAA_TIER_SCALED_TARGET, "scaled"}, {AGAA_TIER_LAYERS, "layers"}, {AGAA_TIER_ORDERED_GRID, "grid"},
-                               {AGAA_TIER_NV_MIXED_SAMPLES, "mixed"}, {AGAA_TIER_POST_DEPTH_ATOMICS, "post"},
-                               {AGAA_TIER_PER_SAMPLE, "per"}, {AGAA_TIER_GBUFFER, "gbuffer"}, {AGAA_TIER_IDS, "ids"},
-                               {AGAA_TIER_FRAGMENT_LISTS, "lists"}, {AGAA_TIER_FRAGMENTS, "fragments"},
-                               {AGAA_TIER_MATERIAL_LISTS, "material"}, {AGAA_TIER_FRAGMENT_INTERLOCK, "interlock"},
+constexpr NamedTier tiers[] = {{AGAA_TIER_AUTO, "auto"},
+                               {AGAA_TIER_NATIVE, "native"},
+                               {AGAA_TIER_NV_MULTICAST, "multicast"},
+                               {AGAA_TIER_SCALED_TARGET, "scaled"},
+                               {AGAA_TIER_LAYERS, "layers"},
+                               {AGAA_TIER_ORDERED_GRID, "grid"},
+                               {AGAA_TIER_NV_MIXED_SAMPLES, "mixed"},
+                               {AGAA_TIER_POST_DEPTH_ATOMICS, "post"},
+                               {AGAA_TIER_PER_SAMPLE, "per"},
+                               {AGAA_TIER_GBUFFER, "gbuffer"},
+                               {AGAA_TIER_IDS, "ids"},
+                               {AGAA_TIER_FRAGMENT_LISTS, "lists"},
+                               {AGAA_TIER_FRAGMENTS, "fragments"},
+                               {AGAA_TIER_MATERIAL_LISTS, "material"},
+                               {AGAA_TIER_FRAGMENT_INTERLOCK, "interlock"},
                                {AGAA_TIER_RASTER_ORDER, "raster"}};
-constexpr NamedTier stages[] = {{AGAA_STAGE_PREPASS, "prepass"}, {AGAA_STAGE_DEFINITION, "definition"},
-                                {AGAA_STAGE_GENERATION, "generation"}, {AGAA_STAGE_SHADING, "shading"},
+constexpr NamedTier stages[] = {{AGAA_STAGE_PREPASS, "prepass"},
+                                {AGAA_STAGE_DEFINITION, "definition"},
+                                {AGAA_STAGE_GENERATION, "generation"},
+                                {AGAA_STAGE_SHADING, "shading"},
                                 {AGAA_STAGE_OTHER, "other"}};
 
 // Each value has the name that agaaGetNames lists; other values are "unknown".
-template <size_t n> void testValueNames(Test& test, const char* function, TextOf call, const NamedTier (&rows)[n],
-                                        uint32_t kind) {
+template <size_t n>
+void testValueNames(Test& test, const char* function, TextOf call, const NamedTier (&rows)[n], uint32_t kind) {
     const std::vector<std::string> listed = namesOf(test, kind);
     for (const NamedTier& row : rows) {
         const char* name = call(row.tier);
@@ -189,7 +214,8 @@ void testTierFromName(Test& test) {
         const std::string name = test.sdk.agaaTierName(row.tier);
         for (const std::string& spelling : {name, swapped(name)}) {
             uint32_t tier = 99;
-            test.result(test.sdk.agaaTierFromName(spelling.c_str(), &tier), AGAA_OK, "agaaTierFromName(\"" + spelling + "\")");
+            test.result(test.sdk.agaaTierFromName(spelling.c_str(), &tier), AGAA_OK,
+                        "agaaTierFromName(\"" + spelling + "\")");
             test.check(tier == row.tier, "agaaTierFromName(\"" + spelling + "\") finds another tier.");
         }
     }
@@ -200,14 +226,17 @@ void testTierFromNameRefused(Test& test, bool checksOutput) {
         uint32_t tier = 0xABCDEF01;
         const AgaaResult result = test.sdk.agaaTierFromName(name, &tier);
         if (checksOutput)
-            test.check(tier == 0xABCDEF01, std::string("agaaTierFromName(\"") + name + "\") fails and changes outTier.");
+            test.check(tier == 0xABCDEF01,
+                       std::string("agaaTierFromName(\"") + name + "\") fails and changes outTier.");
         else
             expectRefused(test, result, AGAA_ERROR_INVALID_ARGUMENT, std::string("agaaTierFromName(\"") + name + "\")");
     }
     uint32_t tier = 0xABCDEF01;
-    expectRefused(test, test.sdk.agaaTierFromName(nullptr, &tier), AGAA_ERROR_INVALID_ARGUMENT, "agaaTierFromName(null, …)");
+    expectRefused(test, test.sdk.agaaTierFromName(nullptr, &tier), AGAA_ERROR_INVALID_ARGUMENT,
+                  "agaaTierFromName(null, …)");
     test.check(tier == 0xABCDEF01, "agaaTierFromName(null, …) changes outTier.");
-    expectRefused(test, test.sdk.agaaTierFromName("ids", nullptr), AGAA_ERROR_INVALID_ARGUMENT, "agaaTierFromName(\"ids\", null)");
+    expectRefused(test, test.sdk.agaaTierFromName("ids", nullptr), AGAA_ERROR_INVALID_ARGUMENT,
+                  "agaaTierFromName(\"ids\", null)");
 }
 
 void addTierCases(Suite& suite) {
@@ -218,10 +247,12 @@ void addTierCases(Suite& suite) {
         testValueNames(test, "agaaStageName", test.sdk.agaaStageName, stages, AGAA_NAMES_STAGES);
     });
     suite.core("agaaTierName/no_errors", [](Test& test) { testAnyValue(test, "agaaTierName", test.sdk.agaaTierName); });
-    suite.core("agaaStageName/no_errors", [](Test& test) { testAnyValue(test, "agaaStageName", test.sdk.agaaStageName); });
+    suite.core("agaaStageName/no_errors",
+               [](Test& test) { testAnyValue(test, "agaaStageName", test.sdk.agaaStageName); });
     suite.core("agaaTierFromName/names", testTierFromName);
     suite.core("agaaTierFromName/outTier.unchanged", [](Test& test) { testTierFromNameRefused(test, true); });
-    suite.core("agaaTierFromName/AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) { testTierFromNameRefused(test, false); });
+    suite.core("agaaTierFromName/AGAA_ERROR_INVALID_ARGUMENT",
+               [](Test& test) { testTierFromNameRefused(test, false); });
 }
 
 } // namespace
@@ -229,7 +260,8 @@ void addTierCases(Suite& suite) {
 void addNameCases(Suite& suite) {
     suite.core("agaaResultName/returns", testResultNames);
     suite.core("agaaResultString/returns", testResultStrings);
-    suite.core("agaaResultName/no_errors", [](Test& test) { testAnyValue(test, "agaaResultName", test.sdk.agaaResultName); });
+    suite.core("agaaResultName/no_errors",
+               [](Test& test) { testAnyValue(test, "agaaResultName", test.sdk.agaaResultName); });
     suite.core("agaaResultString/no_errors",
                [](Test& test) { testAnyValue(test, "agaaResultString", test.sdk.agaaResultString); });
     suite.core("agaaGetVersion/no_errors", [](Test& test) {

@@ -13,7 +13,8 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa",    "simple_complex",
+                                      "sbaa",   "agaa", "dcaa", "adaptive"};
 
 std::string nameOf(const ViewParts& p) {
     return std::string("\"") + p.config.technique + "\", n = " + std::to_string(p.config.samples) + ", tier " +
@@ -33,14 +34,15 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                                       : technique == std::string("agaa")
                                           ? std::vector<uint32_t>{1, 2, 4, 8, 16, 32, 64, 128}
                                       : hasOrderedGrid(technique) ? std::vector<uint32_t>{1, 2, 4, 8, 9, 16, 32}
-                                          : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
-            for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
-                                        AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS,
-                                        AGAA_TIER_FRAGMENTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK,
-                                        AGAA_TIER_RASTER_ORDER}) {
+                                                                  : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
+            for (const uint32_t tier :
+                 {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER, AGAA_TIER_IDS,
+                  AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_FRAGMENTS, AGAA_TIER_MATERIAL_LISTS,
+                  AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_RASTER_ORDER}) {
                 const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS || tier == AGAA_TIER_MATERIAL_LISTS ||
                                     tier == AGAA_TIER_FRAGMENT_INTERLOCK || tier == AGAA_TIER_RASTER_ORDER;
-                const bool isFragments = tier == AGAA_TIER_FRAGMENTS || (samples > 32 && technique == std::string("agaa"));
+                const bool isFragments =
+                    tier == AGAA_TIER_FRAGMENTS || (samples > 32 && technique == std::string("agaa"));
                 if (isFragments && (samples < 32 || technique != std::string("agaa") ||
                                     (tier != AGAA_TIER_FRAGMENTS && tier != AGAA_TIER_AUTO)))
                     continue;
@@ -86,11 +88,13 @@ void checkBytes(Test& test, ViewParts& parts) {
     test.check(total == report.totalBytes, call + ": per-pixel surfaces have " + std::to_string(total) +
                                                " bytes, and totalBytes is " + std::to_string(report.totalBytes) + ".");
     test.check(constant == report.constantBytes, call + ": constant surfaces have " + std::to_string(constant) +
-                                                     " bytes, and constantBytes is " + std::to_string(report.constantBytes) + ".");
+                                                     " bytes, and constantBytes is " +
+                                                     std::to_string(report.constantBytes) + ".");
     test.check(report.peakBytes <= total, call + ": peakBytes exceeds totalBytes.");
     test.check(report.peakBytes >= largest, call + ": peakBytes is below the bytes of one surface.");
     const double perPixel = double(total) / (double(parts.desc.width) * parts.desc.height);
-    test.check(std::fabs(report.bytesPerPixel - perPixel) <= 1e-9 * perPixel, call + ": bytesPerPixel is not totalBytes by pixels.");
+    test.check(std::fabs(report.bytesPerPixel - perPixel) <= 1e-9 * perPixel,
+               call + ": bytesPerPixel is not totalBytes by pixels.");
 }
 
 bool hasEnd(const char* text, size_t size) { return std::memchr(text, 0, size) != nullptr; }
@@ -101,7 +105,8 @@ void checkSurfaces(Test& test, ViewParts& parts) {
     std::set<std::string> names;
     for (const AgaaSurface& s : surfacesOf(test, parts)) {
         const std::string what = callWith("agaaQueryMemory", nameOf(parts)) + ": the surface \"" + s.name + "\"";
-        test.require(hasEnd(s.name, sizeof s.name) && hasEnd(s.format, sizeof s.format), "a surface's name does not end.");
+        test.require(hasEnd(s.name, sizeof s.name) && hasEnd(s.format, sizeof s.format),
+                     "a surface's name does not end.");
         test.check(s.name[0] && names.insert(s.name).second, what + " has no name of its own.");
         test.check(s.firstPass <= s.lastPass, what + " ends before it begins.");
         test.check(s.reserved == 0, what + ": the reserved member is not 0.");
@@ -109,13 +114,16 @@ void checkSurfaces(Test& test, ViewParts& parts) {
         const bool isBuffer = s.format[0] == 0;
         test.check(!isBuffer || (s.width == 0 && s.height == 0), what + " is a buffer and has a size in texels.");
         test.check(!isBuffer || (s.scaleX == 0 && s.scaleY == 0), what + " is a buffer and has a scale.");
-        test.check(s.isPerPixel || (s.scaleX == 0 && s.scaleY == 0), what + " does not grow with the view and has a scale.");
-        test.check(isBuffer || !s.isPerPixel || (s.width == parts.desc.width * s.scaleX && s.height == parts.desc.height * s.scaleY),
+        test.check(s.isPerPixel || (s.scaleX == 0 && s.scaleY == 0),
+                   what + " does not grow with the view and has a scale.");
+        test.check(isBuffer || !s.isPerPixel ||
+                       (s.width == parts.desc.width * s.scaleX && s.height == parts.desc.height * s.scaleY),
                    what + ": the size is not the scale times the view's.");
     }
     const bool hasDepth = target.geometryPasses > 0 && !countsCoverage(parts.config);
-    test.check(names.count("depth") == hasDepth, callWith("agaaQueryMemory", nameOf(parts)) +
-                                                     ": \"depth\" does not exist in exactly the views that draw into depth.");
+    test.check(names.count("depth") == hasDepth,
+               callWith("agaaQueryMemory", nameOf(parts)) +
+                   ": \"depth\" does not exist in exactly the views that draw into depth.");
 }
 
 void checkTarget(Test& test, ViewParts& parts) {
@@ -152,7 +160,8 @@ void checkPlan(Test& test, ViewParts& parts) {
 void checkGrowth(Test& test, ViewParts& parts) {
     const AgaaMemoryReport small = reportOf(test, parts);
     for (const auto& [width, height] : {std::pair<uint32_t, uint32_t>{parts.desc.width + 8, parts.desc.height},
-                                        {parts.desc.width, parts.desc.height + 8}, {1920, 1080}}) {
+                                        {parts.desc.width, parts.desc.height + 8},
+                                        {1920, 1080}}) {
         ViewParts larger(test.sdk, nullptr);
         larger.setTechnique(parts.config.technique, 4);
         larger.config.samples = parts.config.samples;
@@ -178,12 +187,14 @@ void testNoSharing(Test& test) {
         parts.config.flags = AGAA_CONFIG_READBACK;
         const AgaaMemoryReport report = reportOf(test, parts);
         test.check(report.peakBytes == report.totalBytes,
-                   callWith("agaaQueryMemory", nameOf(parts)) + " and AGAA_CONFIG_READBACK: peakBytes is not totalBytes.");
+                   callWith("agaaQueryMemory", nameOf(parts)) +
+                       " and AGAA_CONFIG_READBACK: peakBytes is not totalBytes.");
         parts.config.flags = 0;
         parts.caps.flags |= AGAA_DEVICE_NO_ALIASING;
         const AgaaMemoryReport deviceReport = reportOf(test, parts);
         test.check(deviceReport.peakBytes == deviceReport.totalBytes,
-                   callWith("agaaQueryMemory", nameOf(parts)) + " and AGAA_DEVICE_NO_ALIASING: peakBytes is not totalBytes.");
+                   callWith("agaaQueryMemory", nameOf(parts)) +
+                       " and AGAA_DEVICE_NO_ALIASING: peakBytes is not totalBytes.");
     }
 }
 
@@ -194,7 +205,8 @@ void testEqualNames(Test& test) {
     parts.config.technique = "simple_complex";
     const std::string expected = planText(test, parts);
     parts.config.technique = "simple-complex";
-    test.check(planText(test, parts) == expected, "agaaPlanToJson writes different plans for \"simple-complex\" and \"simple_complex\".");
+    test.check(planText(test, parts) == expected,
+               "agaaPlanToJson writes different plans for \"simple-complex\" and \"simple_complex\".");
 }
 
 // Returns whether the technique needs geometry shaders for coverage samples and the device has none.
@@ -217,7 +229,8 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
         parts.config.generationTier = row.tier;
     if (row.tier == AGAA_TIER_IDS || (countsCoverage(parts.config) && !hasCoverageSamples(row.technique)))
         parts.chain(parts.fetch);
-    const std::string what = nameOf(parts) + ", stage " + std::to_string(row.stage) + ", tier " + std::to_string(row.tier);
+    const std::string what =
+        nameOf(parts) + ", stage " + std::to_string(row.stage) + ", tier " + std::to_string(row.tier);
     if (row.tier == AGAA_TIER_AUTO || !canRun)
         return expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what);
     if (needsPulling(parts)) {
@@ -231,7 +244,8 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
     if (!isVisibility && row.stage != AGAA_STAGE_GENERATION)
         return;
     const std::string tier = plan.at("tiers").value(isVisibility ? "visibility" : "generation", "");
-    test.check(tier == test.sdk.agaaTierName(row.tier), callWith("agaaPlanToJson", what) + " names the tier " + tier + ".");
+    test.check(tier == test.sdk.agaaTierName(row.tier),
+               callWith("agaaPlanToJson", what) + " names the tier " + tier + ".");
 }
 
 // The first entry is the tier that AUTO selects without functions of the host.
@@ -248,15 +262,18 @@ void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& ro
         parts.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
     const auto plan = nlohmann::json::parse(planText(test, parts));
     const std::string tier = plan.at("tiers").value(row.stage == AGAA_STAGE_PREPASS ? "visibility" : "generation", "");
-    test.check(tier == test.sdk.agaaTierName(row.tier), "agaaQueryCapabilities lists another tier first than AUTO selects for " +
-                                                            nameOf(parts) + ": the plan names " + tier + ".");
+    test.check(tier == test.sdk.agaaTierName(row.tier),
+               "agaaQueryCapabilities lists another tier first than AUTO selects for " + nameOf(parts) +
+                   ": the plan names " + tier + ".");
 }
 
 void testCapabilities(Test& test) {
     for (const AgaaDeviceCaps& caps : capsOfDevices(test)) {
         const std::vector<AgaaCapability> rows = capabilitiesOf(test, &caps);
         std::set<std::string> seen, failing; // technique and n of rows that cannot run
-        const auto nameOfPlan = [](const AgaaCapability& row) { return std::string(row.technique) + std::to_string(row.samples); };
+        const auto nameOfPlan = [](const AgaaCapability& row) {
+            return std::string(row.technique) + std::to_string(row.samples);
+        };
         for (const AgaaCapability& row : rows)
             if (row.tier == AGAA_TIER_AUTO)
                 failing.insert(nameOfPlan(row));
@@ -281,9 +298,8 @@ void addPlanCases(Suite& suite) {
     for (const Row& row : {Row{"agaaQueryMemory/sums", checkBytes}, Row{"agaaQueryMemory/surfaces", checkSurfaces},
                            Row{"AgaaSurface.reserved/zero", checkSurfaces}, Row{"agaaQueryMemory/growth", checkGrowth},
                            Row{"agaaQueryTarget/samples", checkTarget}, Row{"agaaPlanToJson/plan", checkPlan}})
-        suite.core(row.name, [row](Test& test) {
-            forEachView(test, [&](ViewParts& parts) { row.check(test, parts); });
-        });
+        suite.core(row.name,
+                   [row](Test& test) { forEachView(test, [&](ViewParts& parts) { row.check(test, parts); }); });
     suite.core("agaaQueryMemory/no_sharing", testNoSharing);
     suite.core("AgaaNameKind/equal_names", testEqualNames);
     suite.core("agaaQueryCapabilities/plans", testCapabilities);

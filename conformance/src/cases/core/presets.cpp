@@ -23,20 +23,22 @@ const AgaaLayoutAttribute* find(const AgaaLayout& layout, uint32_t semantic) {
 void testLayouts(Test& test) {
     for (const char* name : {"precise", "paper16"}) {
         ViewParts parts(test.sdk, nullptr);
-        test.requireOk(test.sdk.agaaGetBuiltinLayout(name, &parts.layout), std::string("agaaGetBuiltinLayout(\"") + name + "\")");
+        test.requireOk(test.sdk.agaaGetBuiltinLayout(name, &parts.layout),
+                       std::string("agaaGetBuiltinLayout(\"") + name + "\")");
         parts.useLayout();
         expectAccepted(test, parts, std::string("the layout \"") + name + '"');
         const AgaaLayoutAttribute* emissive = find(parts.layout, AGAA_SEMANTIC_EMISSIVE);
-        test.check(emissive && emissive->range == 16.0f, std::string("the range of emission of \"") + name + "\" is not 16.");
+        test.check(emissive && emissive->range == 16.0f,
+                   std::string("the range of emission of \"") + name + "\" is not 16.");
     }
     AgaaLayout precise = AGAA_LAYOUT_INIT;
     test.requireOk(test.sdk.agaaGetBuiltinLayout("precise", &precise), "agaaGetBuiltinLayout(\"precise\")");
     for (uint32_t i = 0; i < precise.attributeCount; ++i) {
         const AgaaLayoutAttribute& a = precise.attributes[i];
         const uint32_t promised = a.semantic == AGAA_SEMANTIC_SPECULAR ? 10 : 16;
-        test.check(a.sampleBits == promised, "\"precise\" has " + std::to_string(a.sampleBits) + " bits per channel of semantic " +
-                                                 std::to_string(a.semantic) + " where " + std::to_string(promised) +
-                                                 " are promised.");
+        test.check(a.sampleBits == promised, "\"precise\" has " + std::to_string(a.sampleBits) +
+                                                 " bits per channel of semantic " + std::to_string(a.semantic) +
+                                                 " where " + std::to_string(promised) + " are promised.");
     }
 }
 
@@ -73,7 +75,8 @@ void testWrongLayoutCalls(Test& test, AgaaResult expected) {
         if (expected == row.expected)
             test.result(result, row.expected, std::string("agaaGetBuiltinLayout with ") + row.what);
         if (expected == AGAA_OK)
-            test.check(isSameBytes(before, layout), std::string("agaaGetBuiltinLayout with ") + row.what + " changes outLayout.");
+            test.check(isSameBytes(before, layout),
+                       std::string("agaaGetBuiltinLayout with ") + row.what + " changes outLayout.");
     }
 }
 
@@ -135,7 +138,8 @@ void testPresetKeepsOthers(Test& test) {
         test.check(std::string(s.config.technique) == "agaa", call + " does not set the technique to \"agaa\".");
         Settings expected = before;
         copyPresetMembers(expected, s);
-        test.check(isSameBytes(expected.config, s.config), call + " changes a member of AgaaConfig that it does not receive.");
+        test.check(isSameBytes(expected.config, s.config),
+                   call + " changes a member of AgaaConfig that it does not receive.");
         test.check(isSameBytes(expected.aggregation, s.aggregation),
                    call + " changes a member of AgaaAggregation that it does not receive.");
         test.check(isSameBytes(expected.measurement, s.measurement),
@@ -150,7 +154,8 @@ void testPresetIsComplete(Test& test) {
         Settings pattern = patternSettings();
         const std::string call = std::string("agaaApplyPreset(\"") + name + "\")";
         test.requireOk(test.sdk.agaaApplyPreset(name, &parts.config, &parts.aggregation, &parts.measurement), call);
-        test.requireOk(test.sdk.agaaApplyPreset(name, &pattern.config, &pattern.aggregation, &pattern.measurement), call);
+        test.requireOk(test.sdk.agaaApplyPreset(name, &pattern.config, &pattern.aggregation, &pattern.measurement),
+                       call);
         Settings values = {parts.config, parts.aggregation, parts.measurement};
         Settings after = values;
         copyPresetMembers(after, pattern);
@@ -192,7 +197,8 @@ const WrongPreset wrongPresets[] = {
     {"the name \"\"", AGAA_ERROR_INVALID_ARGUMENT, "", 0, [](Settings&) {}},
     {"the name \"FAST\"", AGAA_ERROR_INVALID_ARGUMENT, "FAST", 0, [](Settings&) {}},
     {"AgaaConfig::sType = 0", AGAA_ERROR_STRUCT, "paper", 0, [](Settings& s) { s.config.sType = 0; }},
-    {"AgaaAggregation::structSize = 0", AGAA_ERROR_STRUCT, "paper", 0, [](Settings& s) { s.aggregation.structSize = 0; }},
+    {"AgaaAggregation::structSize = 0", AGAA_ERROR_STRUCT, "paper", 0,
+     [](Settings& s) { s.aggregation.structSize = 0; }},
     {"AgaaMeasurement::sType = 0", AGAA_ERROR_STRUCT, "paper", 0, [](Settings& s) { s.measurement.sType = 0; }},
     {"an unknown struct chained to AgaaConfig", AGAA_ERROR_UNKNOWN_STRUCT, "paper", 0,
      [](Settings& s) { s.config.pNext = &unknownStruct; }},
@@ -229,13 +235,17 @@ void addPresetCases(Suite& suite) {
         test.result(test.sdk.agaaGetBuiltinLayout("precise", nullptr), AGAA_ERROR_INVALID_ARGUMENT,
                     "agaaGetBuiltinLayout with outLayout = null");
     });
-    suite.core("agaaGetBuiltinLayout/AGAA_ERROR_STRUCT", [](Test& test) { testWrongLayoutCalls(test, AGAA_ERROR_STRUCT); });
-    suite.core("agaaGetBuiltinLayout/AGAA_ERROR_LAYOUT", [](Test& test) { testWrongLayoutCalls(test, AGAA_ERROR_LAYOUT); });
+    suite.core("agaaGetBuiltinLayout/AGAA_ERROR_STRUCT",
+               [](Test& test) { testWrongLayoutCalls(test, AGAA_ERROR_STRUCT); });
+    suite.core("agaaGetBuiltinLayout/AGAA_ERROR_LAYOUT",
+               [](Test& test) { testWrongLayoutCalls(test, AGAA_ERROR_LAYOUT); });
     suite.core("agaaApplyPreset/other_members", testPresetKeepsOthers);
     suite.core("agaaApplyPreset/all_settings", testPresetIsComplete);
     suite.core("agaaApplyPreset/measurement.null", testPresetMeasurementNull);
-    for (const auto& [name, error] : {std::pair<const char*, AgaaResult>{"INVALID_ARGUMENT", AGAA_ERROR_INVALID_ARGUMENT},
-                                      {"STRUCT", AGAA_ERROR_STRUCT}, {"UNKNOWN_STRUCT", AGAA_ERROR_UNKNOWN_STRUCT}})
+    for (const auto& [name, error] :
+         {std::pair<const char*, AgaaResult>{"INVALID_ARGUMENT", AGAA_ERROR_INVALID_ARGUMENT},
+          {"STRUCT", AGAA_ERROR_STRUCT},
+          {"UNKNOWN_STRUCT", AGAA_ERROR_UNKNOWN_STRUCT}})
         suite.core(std::string("agaaApplyPreset/AGAA_ERROR_") + name,
                    [error = error](Test& test) { testWrongPresets(test, error); });
 }

@@ -14,7 +14,8 @@ const AgaaPrice initialPrice = AGAA_PRICE_INIT;
 
 std::vector<AgaaPrice> pricesOf(Test& test, const ViewParts& parts, const AgaaDeviceCaps* caps) {
     uint32_t count = 0;
-    test.requireOk(test.sdk.agaaQueryPrices(parts.get(), caps, nullptr, &count, nullptr), "agaaQueryPrices with prices = null");
+    test.requireOk(test.sdk.agaaQueryPrices(parts.get(), caps, nullptr, &count, nullptr),
+                   "agaaQueryPrices with prices = null");
     std::vector<AgaaPrice> prices(count, initialPrice);
     test.requireOk(test.sdk.agaaQueryPrices(parts.get(), caps, nullptr, &count, prices.data()), "agaaQueryPrices");
     test.check(count == prices.size(), "agaaQueryPrices returns another count with an array than without.");
@@ -23,7 +24,8 @@ std::vector<AgaaPrice> pricesOf(Test& test, const ViewParts& parts, const AgaaDe
 
 AgaaMemoryReport memoryOf(Test& test, const ViewParts& parts) {
     AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
-    test.requireOk(test.sdk.agaaQueryMemory(parts.get(), &parts.caps, nullptr, &report, nullptr, nullptr), "agaaQueryMemory");
+    test.requireOk(test.sdk.agaaQueryMemory(parts.get(), &parts.caps, nullptr, &report, nullptr, nullptr),
+                   "agaaQueryMemory");
     return report;
 }
 
@@ -31,14 +33,16 @@ bool areSame(const std::vector<AgaaPrice>& a, const std::vector<AgaaPrice>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(AgaaPrice)) == 0;
 }
 
-constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa",    "simple_complex",
+                                      "sbaa",   "agaa", "dcaa", "adaptive"};
 
 void testCapsNull(Test& test) {
     for (const char* technique : techniques) {
         ViewParts parts(test.sdk, nullptr);
         parts.setTechnique(technique, 4);
         test.check(areSame(pricesOf(test, parts, nullptr), pricesOf(test, parts, &parts.caps)),
-                   std::string("agaaQueryPrices of \"") + technique + "\" differs for caps = null and an ideal device.");
+                   std::string("agaaQueryPrices of \"") + technique +
+                       "\" differs for caps = null and an ideal device.");
     }
 }
 
@@ -59,14 +63,18 @@ void testKinds(Test& test) {
         const AgaaMemoryReport report = memoryOf(test, parts);
         test.check(!prices.empty() && prices[0].kind == AGAA_PRICE_VIEW && prices[0].isPossible == 1,
                    "the first price is not that of the view.");
-        test.check(prices[0].totalBytes == int64_t(report.totalBytes) && prices[0].peakBytes == int64_t(report.peakBytes) &&
+        test.check(prices[0].totalBytes == int64_t(report.totalBytes) &&
+                       prices[0].peakBytes == int64_t(report.peakBytes) &&
                        prices[0].constantBytes == int64_t(report.constantBytes),
-                   std::string("the view of \"") + technique + "\" has other bytes in agaaQueryPrices than in agaaQueryMemory.");
+                   std::string("the view of \"") + technique +
+                       "\" has other bytes in agaaQueryPrices than in agaaQueryMemory.");
         for (const AgaaPrice& price : prices) {
             test.check(price.kind <= AGAA_PRICE_AGGREGATES || !isSameVersion(test), "a price is of no AgaaPriceKind.");
             const bool isStep = price.kind == AGAA_PRICE_SAMPLES || price.kind == AGAA_PRICE_AGGREGATES;
-            test.check(isStep == (price.fromCount < price.toCount), "a price that is no step has counts, or a step has none.");
-            test.check(price.name && *price.name && price.description && *price.description, "a price has no name or description.");
+            test.check(isStep == (price.fromCount < price.toCount),
+                       "a price that is no step has counts, or a step has none.");
+            test.check(price.name && *price.name && price.description && *price.description,
+                       "a price has no name or description.");
             test.check(price.isPossible <= 1 && (price.isPossible == 1) == (price.reason[0] == 0),
                        "a price has a reason and is possible, or is not possible without a reason.");
         }
@@ -119,8 +127,9 @@ void testInvalid(Test& test) {
     AgaaPrice price = initialPrice;
     for (AgaaPrice* array : {static_cast<AgaaPrice*>(nullptr), &price}) {
         LogRecorder log;
-        expectRefused(test, test.sdk.agaaQueryPrices(&parts.desc, nullptr, log.get(), nullptr, array), AGAA_ERROR_INVALID_ARGUMENT,
-                      log, "agaaQueryPrices", "agaaQueryPrices with count = null", "count");
+        expectRefused(test, test.sdk.agaaQueryPrices(&parts.desc, nullptr, log.get(), nullptr, array),
+                      AGAA_ERROR_INVALID_ARGUMENT, log, "agaaQueryPrices", "agaaQueryPrices with count = null",
+                      "count");
     }
     test.check(std::memcmp(&price, &initialPrice, sizeof price) == 0, "agaaQueryPrices with count = null writes.");
 }
@@ -133,8 +142,9 @@ void testStruct(Test& test) {
         prices[wrong].sType = 0;
         LogRecorder log;
         auto count = uint32_t(prices.size());
-        expectRefused(test, test.sdk.agaaQueryPrices(&parts.desc, nullptr, log.get(), &count, prices.data()), AGAA_ERROR_STRUCT, log,
-                      "agaaQueryPrices", "agaaQueryPrices with element " + std::to_string(wrong) + " that is not initialised",
+        expectRefused(test, test.sdk.agaaQueryPrices(&parts.desc, nullptr, log.get(), &count, prices.data()),
+                      AGAA_ERROR_STRUCT, log, "agaaQueryPrices",
+                      "agaaQueryPrices with element " + std::to_string(wrong) + " that is not initialised",
                       "AgaaPrice");
         prices[wrong].sType = AGAA_STRUCTURE_TYPE_PRICE;
         test.check(areSame(before, prices), "agaaQueryPrices fails and changes elements.");
@@ -143,8 +153,8 @@ void testStruct(Test& test) {
     uint32_t count = 0;
     AgaaDeviceCaps caps = parts.caps;
     caps.sType = 0;
-    expectRefused(test, test.sdk.agaaQueryPrices(&parts.desc, &caps, log.get(), &count, nullptr), AGAA_ERROR_STRUCT, log,
-                  "agaaQueryPrices", "agaaQueryPrices with AgaaDeviceCaps::sType = 0", "AgaaDeviceCaps");
+    expectRefused(test, test.sdk.agaaQueryPrices(&parts.desc, &caps, log.get(), &count, nullptr), AGAA_ERROR_STRUCT,
+                  log, "agaaQueryPrices", "agaaQueryPrices with AgaaDeviceCaps::sType = 0", "AgaaDeviceCaps");
 }
 
 void testTooSmall(Test& test) {
@@ -158,7 +168,8 @@ void testTooSmall(Test& test) {
         expectRefused(test, test.sdk.agaaQueryPrices(&parts.desc, nullptr, log.get(), &count, prices.data()),
                       AGAA_ERROR_BUFFER_TOO_SMALL, log, "agaaQueryPrices",
                       "agaaQueryPrices with " + std::to_string(length) + " elements");
-        test.check(count == length && areSame(before, prices), "agaaQueryPrices with an array that is too short writes.");
+        test.check(count == length && areSame(before, prices),
+                   "agaaQueryPrices with an array that is too short writes.");
     }
     uint32_t count = needed + 1;
     test.requireOk(test.sdk.agaaQueryPrices(&parts.desc, nullptr, nullptr, &count, prices.data()),

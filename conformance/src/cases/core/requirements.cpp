@@ -42,7 +42,8 @@ const Api& openGl() {
 }
 
 void testStruct(Test& test, const Api& api, bool checksOutput) {
-    const auto expectCorruptRefused = [&](const std::string& what, const std::function<void(AgaaStructHeader&)>& corrupt) {
+    const auto expectCorruptRefused = [&](const std::string& what,
+                                          const std::function<void(AgaaStructHeader&)>& corrupt) {
         Bytes bytes = api.initial;
         std::memset(bytes.data() + sizeof(AgaaStructHeader), 0x5A, bytes.size() - sizeof(AgaaStructHeader));
         corrupt(bytes.header());

@@ -8,14 +8,18 @@ namespace {
 
 std::vector<StructRow> makeRows() {
     std::vector<StructRow> rows;
-#define AGAA_STRUCT(Name, TYPE, bytes)                                                                             \
-    {                                                                                                              \
-        static const Agaa##Name value = AGAA_##TYPE##_INIT;                                                        \
-        const auto* from = reinterpret_cast<const unsigned char*>(&value);                                         \
-        rows.push_back({"Agaa" #Name, AGAA_STRUCTURE_TYPE_##TYPE, sizeof value, bytes, {from, from + sizeof value}, \
-                        [](const Functions& sdk, void* structure, size_t structSize) {                             \
-                            sdk.agaaInit##Name(static_cast<Agaa##Name*>(structure), structSize);                   \
-                        }});                                                                                       \
+#define AGAA_STRUCT(Name, TYPE, bytes)                                                                                 \
+    {                                                                                                                  \
+        static const Agaa##Name value = AGAA_##TYPE##_INIT;                                                            \
+        const auto* from = reinterpret_cast<const unsigned char*>(&value);                                             \
+        rows.push_back({"Agaa" #Name,                                                                                  \
+                        AGAA_STRUCTURE_TYPE_##TYPE,                                                                    \
+                        sizeof value,                                                                                  \
+                        bytes,                                                                                         \
+                        {from, from + sizeof value},                                                                   \
+                        [](const Functions& sdk, void* structure, size_t structSize) {                                 \
+                            sdk.agaaInit##Name(static_cast<Agaa##Name*>(structure), structSize);                       \
+                        }});                                                                                           \
     }
 #include "structs.inc"
     return rows;

@@ -10,7 +10,7 @@ struct StructRow {
     uint32_t sType;
     size_t size;      // size in these headers
     size_t firstSize; // size in version 0.2, or in the first version that has the struct; no host has a smaller one
-    std::vector<unsigned char> initial; // AGAA_…_INIT
+    std::vector<unsigned char> initial;                                             // AGAA_…_INIT
     std::function<void(const Functions&, void* structure, size_t structSize)> init; // agaaInit…
 };
 

@@ -21,7 +21,8 @@ TextCall planCall() {
 }
 
 TextCall aggregateCall() {
-    return {"agaaGetAggregateGlsl", [](Test& test, const AgaaDeviceCaps* caps, const AgaaLog* log, size_t* size, char* text) {
+    return {"agaaGetAggregateGlsl",
+            [](Test& test, const AgaaDeviceCaps* caps, const AgaaLog* log, size_t* size, char* text) {
                 ViewParts parts(test.sdk, nullptr);
                 return test.sdk.agaaGetAggregateGlsl(&parts.desc, caps, log, size, text);
             }};
@@ -50,7 +51,8 @@ void testTwoCalls(Test& test, const TextCall& c) {
     test.requireOk(c.call(test, nullptr, nullptr, &written, text.data()), c.name + " with the size that it returned");
     test.check(written == size, c.name + " returns another size with a buffer than without.");
     test.check(text.find('\0') == size - 1, c.name + ": the size is not that of the text with its final zero.");
-    test.check(text.find_first_not_of('#', size) == std::string::npos, c.name + " writes beyond the size that it returns.");
+    test.check(text.find_first_not_of('#', size) == std::string::npos,
+               c.name + " writes beyond the size that it returns.");
     written = size + 32;
     test.requireOk(c.call(test, nullptr, nullptr, &written, text.data()), c.name + " with a larger buffer");
     test.check(written == size, c.name + " with a larger buffer does not return the size of the text.");
@@ -64,8 +66,8 @@ void testTooSmall(Test& test, const TextCall& c) {
         LogRecorder log;
         std::string text = before;
         size_t size = length;
-        expectRefused(test, c.call(test, nullptr, log.get(), &size, text.data()), AGAA_ERROR_BUFFER_TOO_SMALL, log, c.name,
-                      c.name + " with size = " + std::to_string(length) + " of " + std::to_string(needed));
+        expectRefused(test, c.call(test, nullptr, log.get(), &size, text.data()), AGAA_ERROR_BUFFER_TOO_SMALL, log,
+                      c.name, c.name + " with size = " + std::to_string(length) + " of " + std::to_string(needed));
         test.check(text == before && size == length, c.name + " with a buffer that is too small writes.");
     }
 }
@@ -97,8 +99,7 @@ void testCapsNull(Test& test, const TextCall& c) {
                c.name + " writes different texts for caps = null and an ideal device.");
 }
 
-void testWrongViewsOf(Test& test, const std::string& name,
-                      decltype(Functions::agaaPlanToJson) call) {
+void testWrongViewsOf(Test& test, const std::string& name, decltype(Functions::agaaPlanToJson) call) {
     testWrongViews(test, nullptr, name, [&](const ViewParts& parts, LogRecorder& log) {
         size_t size = 777;
         const AgaaResult result = call(parts.get(), &parts.caps, log.get(), &size, nullptr);
@@ -122,8 +123,10 @@ void testTextUnchanged(Test& test) {
 // The texts contain the names that the header promises.
 void testGlslNames(Test& test) {
     const std::string text = textOf(test, aggregateCall(), nullptr);
-    for (const char* word : {"struct AgaaAggregate", "AgaaAggregate agaaAggregate(", "AGAA_AGGREGATES", "AGAA_AGGREGATE_WORD"})
-        test.check(text.find(word) != std::string::npos, std::string("agaaGetAggregateGlsl: the text has no \"") + word + "\".");
+    for (const char* word :
+         {"struct AgaaAggregate", "AgaaAggregate agaaAggregate(", "AGAA_AGGREGATES", "AGAA_AGGREGATE_WORD"})
+        test.check(text.find(word) != std::string::npos,
+                   std::string("agaaGetAggregateGlsl: the text has no \"") + word + "\".");
     test.check(textOf(test, coverageCall(), nullptr).find("agaa") != std::string::npos,
                "agaaGetCoverageGlsl: the text declares no function of the SDK.");
 }
@@ -165,8 +168,8 @@ void testAggregatesUnsupported(Test& test) {
         bool hasSurface = false;
         for (const AgaaSurface& surface : surfacesOf(test, parts))
             hasSurface |= std::string(surface.name) == "aggregates" && parts.config.technique == std::string("agaa");
-        test.check(hasSurface == row.isKept,
-                   callWith("agaaQueryMemory", row.what) + (row.isKept ? " lists no" : " lists a") + " surface \"aggregates\".");
+        test.check(hasSurface == row.isKept, callWith("agaaQueryMemory", row.what) +
+                                                 (row.isKept ? " lists no" : " lists a") + " surface \"aggregates\".");
     }
     ViewParts flat(test.sdk, nullptr);
     flat.config.technique = "agaa";

@@ -68,7 +68,8 @@ std::string memory(const Functions& sdk, uint32_t variant) {
     const AgaaSurface initial = AGAA_SURFACE_INIT;
     std::vector<AgaaSurface> surfaces(64, initial);
     uint32_t count = 64;
-    const AgaaResult result = sdk.agaaQueryMemory(&parts.desc, &parts.caps, log.get(), &report, &count, surfaces.data());
+    const AgaaResult result =
+        sdk.agaaQueryMemory(&parts.desc, &parts.caps, log.get(), &report, &count, surfaces.data());
     std::string text = std::to_string(result) + bytesOf(report) + logText(log);
     for (const AgaaSurface& surface : surfaces)
         text += bytesOf(surface);
@@ -116,7 +117,8 @@ std::string choice(const Functions& sdk, uint32_t variant) {
     AgaaGoal goal = AGAA_GOAL_INIT;
     goal.maxErrorShare = 1.0f / float(1 + variant * variant);
     AgaaChoice out = AGAA_CHOICE_INIT;
-    const AgaaResult result = sdk.agaaChooseSettings(&parts.desc, &parts.caps, log.get(), &goal, nullptr, nullptr, &out);
+    const AgaaResult result =
+        sdk.agaaChooseSettings(&parts.desc, &parts.caps, log.get(), &goal, nullptr, nullptr, &out);
     return std::to_string(result) + bytesOf(out) + logText(log);
 }
 
@@ -218,7 +220,9 @@ std::string openGl(const Functions& sdk, uint32_t) {
 }
 
 std::string plan(const Functions& sdk, uint32_t variant) { return viewText(sdk, variant, sdk.agaaPlanToJson); }
-std::string aggregateGlsl(const Functions& sdk, uint32_t variant) { return viewText(sdk, variant, sdk.agaaGetAggregateGlsl); }
+std::string aggregateGlsl(const Functions& sdk, uint32_t variant) {
+    return viewText(sdk, variant, sdk.agaaGetAggregateGlsl);
+}
 
 } // namespace
 
@@ -227,14 +231,14 @@ void addThreadCases(Suite& suite) {
         const char* function;
         std::string (*answer)(const Functions&, uint32_t);
     };
-    for (const Row& row : {Row{"agaaQueryMemory", memory}, Row{"agaaQueryTarget", target}, Row{"agaaQueryPrices", prices},
-                           Row{"agaaPlanToJson", plan}, Row{"agaaObserve", observation},
-                           Row{"agaaChooseSettings", choice}, Row{"agaaApplyChoice", appliedChoice},
-                           Row{"agaaGetAggregateGlsl", aggregateGlsl}, Row{"agaaGetCoverageGlsl", coverage},
-                           Row{"agaaQueryCapabilities", capabilities}, Row{"agaaGetBuiltinLayout", layout},
-                           Row{"agaaApplyPreset", preset}, Row{"agaaGetNames", names}, Row{"agaaTierName", tierNames},
-                           Row{"agaaStageName", stageNames}, Row{"agaaTierFromName", tierFromName},
-                           Row{"agaaVkGetRequirements", vulkan}, Row{"agaaGlGetRequirements", openGl}})
+    for (const Row& row :
+         {Row{"agaaQueryMemory", memory}, Row{"agaaQueryTarget", target}, Row{"agaaQueryPrices", prices},
+          Row{"agaaPlanToJson", plan}, Row{"agaaObserve", observation}, Row{"agaaChooseSettings", choice},
+          Row{"agaaApplyChoice", appliedChoice}, Row{"agaaGetAggregateGlsl", aggregateGlsl},
+          Row{"agaaGetCoverageGlsl", coverage}, Row{"agaaQueryCapabilities", capabilities},
+          Row{"agaaGetBuiltinLayout", layout}, Row{"agaaApplyPreset", preset}, Row{"agaaGetNames", names},
+          Row{"agaaTierName", tierNames}, Row{"agaaStageName", stageNames}, Row{"agaaTierFromName", tierFromName},
+          Row{"agaaVkGetRequirements", vulkan}, Row{"agaaGlGetRequirements", openGl}})
         suite.core(std::string(row.function) + "/threads",
                    [row](Test& test) { testThreads(test, row.function, 20, row.answer); });
 }

@@ -29,8 +29,8 @@ void testRows(Test& test, const std::vector<Row>& rows) {
         if (row.tier.empty())
             continue;
         const std::string tier = generationTierOf(test, parts);
-        test.check(tier == row.tier, "agaaPlanToJson with " + row.what + " names the tier " + tier + " where " + row.tier +
-                                         " is promised.");
+        test.check(tier == row.tier, "agaaPlanToJson with " + row.what + " names the tier " + tier + " where " +
+                                         row.tier + " is promised.");
     }
 }
 
@@ -56,7 +56,8 @@ std::vector<Row> needsMaterials(const std::string& setting, bool isBuffered, con
         {setting + " and the tier POST_DEPTH_ATOMICS", unsupported, with(AGAA_TIER_POST_DEPTH_ATOMICS, false, 0), ""},
         {setting + " and the tier PER_SAMPLE", unsupported, with(AGAA_TIER_PER_SAMPLE, true, 0), ""},
         {setting + " and the tier NV_MIXED_SAMPLES", unsupported, with(AGAA_TIER_NV_MIXED_SAMPLES, false, 0), ""},
-        {setting + ", the tier GBUFFER and BUFFERED", buffered, with(AGAA_TIER_GBUFFER, false, AGAA_CONFIG_BUFFERED), ""},
+        {setting + ", the tier GBUFFER and BUFFERED", buffered, with(AGAA_TIER_GBUFFER, false, AGAA_CONFIG_BUFFERED),
+         ""},
         {setting + ", the tier IDS and BUFFERED", buffered, with(AGAA_TIER_IDS, true, AGAA_CONFIG_BUFFERED), ""},
         {setting + ", the tier AUTO and BUFFERED", buffered, with(AGAA_TIER_AUTO, false, AGAA_CONFIG_BUFFERED), ""},
     };
@@ -120,15 +121,16 @@ void testOtherStage(Test& test) {
                                 AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_RASTER_ORDER})
         testRows(test, {{"visibilityTier = " + std::to_string(tier), unsupported,
                          [=](ViewParts& p) { p.config.visibilityTier = tier; }, ""}});
-    for (const uint32_t tier : {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS,
-                                AGAA_TIER_ORDERED_GRID})
+    for (const uint32_t tier :
+         {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS, AGAA_TIER_ORDERED_GRID})
         for (const char* technique : {"agaa", "dcaa"})
-            testRows(test, {{std::string("\"") + technique + "\" and generationTier = " + std::to_string(tier), unsupported,
-                             [=](ViewParts& p) {
-                                 p.setTechnique(technique, 4);
-                                 p.config.generationTier = tier;
-                             },
-                             ""}});
+            testRows(test,
+                     {{std::string("\"") + technique + "\" and generationTier = " + std::to_string(tier), unsupported,
+                       [=](ViewParts& p) {
+                           p.setTechnique(technique, 4);
+                           p.config.generationTier = tier;
+                       },
+                       ""}});
 }
 
 // Tests a generation tier of other techniques.
@@ -152,9 +154,11 @@ void testOtherTechnique(Test& test) {
                          with(technique, AGAA_TIER_RASTER_ORDER), ""}});
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
                                 AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENTS})
-        testRows(test, {{"\"dcaa\" and generationTier = " + std::to_string(tier), unsupported, with("dcaa", tier), ""}});
+        testRows(test,
+                 {{"\"dcaa\" and generationTier = " + std::to_string(tier), unsupported, with("dcaa", tier), ""}});
     for (const uint32_t tier : {AGAA_TIER_IDS, AGAA_TIER_FRAGMENTS})
-        testRows(test, {{"\"sbaa\" and generationTier = " + std::to_string(tier), unsupported, with("sbaa", tier), ""}});
+        testRows(test,
+                 {{"\"sbaa\" and generationTier = " + std::to_string(tier), unsupported, with("sbaa", tier), ""}});
 }
 
 void testMixedSamples(Test& test) {
@@ -168,7 +172,8 @@ void testMixedSamples(Test& test) {
         };
         const std::string name = std::string("\"") + technique + "\" and AGAA_TIER_NV_MIXED_SAMPLES";
         testRows(test, {{name, AGAA_OK, with(0), "nv-mixed-samples"},
-                        {name + " without AGAA_DEVICE_NV_MIXED_SAMPLES", unsupported, with(AGAA_DEVICE_NV_MIXED_SAMPLES), ""}});
+                        {name + " without AGAA_DEVICE_NV_MIXED_SAMPLES", unsupported,
+                         with(AGAA_DEVICE_NV_MIXED_SAMPLES), ""}});
     }
 }
 
@@ -205,14 +210,17 @@ void testCustomDepth(Test& test) {
                     {"\"single\"" + fact, AGAA_OK, with("single", 0, false), ""},
                     {"\"ssaa\"" + fact, AGAA_OK, with("ssaa", 0, false), ""},
                     {"\"dcaa\"" + fact, unsupported, with("dcaa", 0, false), ""},
-                    {"the tier POST_DEPTH_ATOMICS" + fact, unsupported, with("agaa", AGAA_TIER_POST_DEPTH_ATOMICS, false), ""},
+                    {"the tier POST_DEPTH_ATOMICS" + fact, unsupported,
+                     with("agaa", AGAA_TIER_POST_DEPTH_ATOMICS, false), ""},
                     {"the tier PER_SAMPLE" + fact, unsupported, with("sbaa", AGAA_TIER_PER_SAMPLE, false), ""}});
 }
 
 // The flag replaces geometry shaders only.
 void testVertexPulling(Test& test) {
-    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
-                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_RASTER_ORDER},
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS},
+                                          {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK},
+                                          {"dcaa", AGAA_TIER_RASTER_ORDER},
                                           {"agaa", AGAA_TIER_FRAGMENTS}}) {
         const auto with = [&, technique = technique, tier = tier](uint64_t flags, uint64_t without) {
             return [=](ViewParts& p) {
@@ -265,8 +273,8 @@ void testGenerationTier(Test& test) {
     testRows(test, {{"the tier IDS without an AgaaFetchFunction", unsupported, ids, ""}});
     // All tiers of "dcaa" need the features.
     for (const uint64_t feature : {AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_DEVICE_GEOMETRY_SHADERS})
-        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS,
-                                    AGAA_TIER_FRAGMENT_INTERLOCK}) {
+        for (const uint32_t tier :
+             {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK}) {
             const auto lists = [=](uint64_t without) {
                 return [=](ViewParts& p) {
                     p.setTechnique("dcaa", 4);
@@ -276,8 +284,9 @@ void testGenerationTier(Test& test) {
                 };
             };
             const uint32_t taken = tier == AGAA_TIER_AUTO ? uint32_t(AGAA_TIER_FRAGMENT_LISTS) : tier;
-            testRows(test, {{"\"dcaa\"", AGAA_OK, lists(0), test.sdk.agaaTierName(taken)},
-                            {"\"dcaa\" on a device that lacks a feature of its tier", unsupported, lists(feature), ""}});
+            testRows(test,
+                     {{"\"dcaa\"", AGAA_OK, lists(0), test.sdk.agaaTierName(taken)},
+                      {"\"dcaa\" on a device that lacks a feature of its tier", unsupported, lists(feature), ""}});
         }
     for (const uint64_t without : {UINT64_C(0), AGAA_DEVICE_FRAGMENT_INTERLOCK})
         for (const uint64_t flags : {UINT64_C(0), AGAA_COVERAGE_EXACT}) {
@@ -303,8 +312,9 @@ void testGenerationTier(Test& test) {
                     p.coverage.flags = flags;
                     p.caps.flags &= ~without;
                 };
-                testRows(test, {{"the tier RASTER_ORDER, " + std::to_string(surfaces) + " surfaces, AgaaDecoupledCoverage::flags = " +
-                                     std::to_string(flags) + (without ? ", without a feature" : ""),
+                testRows(test, {{"the tier RASTER_ORDER, " + std::to_string(surfaces) +
+                                     " surfaces, AgaaDecoupledCoverage::flags = " + std::to_string(flags) +
+                                     (without ? ", without a feature" : ""),
                                  without || flags || surfaces > 2 ? unsupported : AGAA_OK, rasterOrder, ""}});
             }
 }
@@ -346,10 +356,12 @@ void testTargets(Test& test) {
                     {"targetEvents and BUCKETS", unsupported, with(both | AGAA_ADAPTIVE_BUCKETS), ""},
                     {"targetEvents and TILE_MAXIMUM", unsupported, with(both | AGAA_ADAPTIVE_TILE_MAXIMUM), ""},
                     {"targetEvents and SORTED", AGAA_OK, with(both | AGAA_ADAPTIVE_SORTED), ""},
-                    {"targetEvents and countMemory", unsupported, [&](ViewParts& p) {
+                    {"targetEvents and countMemory", unsupported,
+                     [&](ViewParts& p) {
                          with(both)(p);
                          p.adaptive.countMemory = 0.5f;
-                     }, ""}});
+                     },
+                     ""}});
 }
 
 // The tier needs all fragments at once.
@@ -377,9 +389,10 @@ void testFragmentsAtOnce(Test& test) {
             p.coverage.flags = AGAA_COVERAGE_EXACT; // the flag belongs to "dcaa"
         };
     };
-    testRows(test, {{"the tier FRAGMENTS", AGAA_OK, fragments(1, 0), ""},
-                    {"the tier FRAGMENTS and maxBatches = 2", unsupported, fragments(2, 0), ""},
-                    {"the tier FRAGMENTS and AGAA_CONFIG_BUFFERED", unsupported, fragments(1, AGAA_CONFIG_BUFFERED), ""}});
+    testRows(test,
+             {{"the tier FRAGMENTS", AGAA_OK, fragments(1, 0), ""},
+              {"the tier FRAGMENTS and maxBatches = 2", unsupported, fragments(2, 0), ""},
+              {"the tier FRAGMENTS and AGAA_CONFIG_BUFFERED", unsupported, fragments(1, AGAA_CONFIG_BUFFERED), ""}});
 }
 
 void testVisibilityTier(Test& test) {
@@ -412,16 +425,19 @@ void testSampleCounts(Test& test) {
     };
     for (const Counts& c : {Counts{0, 1, unsupported}, Counts{0, 4, unsupported}, Counts{0x04, 2, unsupported},
                             Counts{0x04, 4, AGAA_OK}, Counts{0x01, 32, AGAA_OK}, Counts{0x3F, 32, AGAA_OK}})
-        testRows(test, {{"n = " + std::to_string(c.samples) + " and sampleCounts = " + std::to_string(c.device), c.expected,
-                         [=](ViewParts& p) {
-                             p.config.samples = c.samples;
-                             p.caps.sampleCounts = c.device;
-                         },
-                         ""}});
-    testRows(test, {{"NATIVE and sampleCounts without n", unsupported, [](ViewParts& p) {
+        testRows(test,
+                 {{"n = " + std::to_string(c.samples) + " and sampleCounts = " + std::to_string(c.device), c.expected,
+                   [=](ViewParts& p) {
+                       p.config.samples = c.samples;
+                       p.caps.sampleCounts = c.device;
+                   },
+                   ""}});
+    testRows(test, {{"NATIVE and sampleCounts without n", unsupported,
+                     [](ViewParts& p) {
                          p.config.visibilityTier = AGAA_TIER_NATIVE;
                          p.caps.sampleCounts = 0x3B;
-                     }, ""}});
+                     },
+                     ""}});
 }
 
 } // namespace

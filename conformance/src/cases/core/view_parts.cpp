@@ -63,8 +63,7 @@ ViewParts::ViewParts(const Functions& sdk, const Device* device) : ViewDescripti
 }
 
 const std::vector<ViewQuery>& viewQueries() {
-    static const std::vector<ViewQuery> queries = {
-        {"agaaQueryMemory", queryMemory},
+    static const std::vector<ViewQuery> queries = {{"agaaQueryMemory", queryMemory},
                                                    {"agaaQueryTarget", queryTarget},
                                                    {"agaaPlanToJson", queryPlan},
                                                    {"agaaQueryPrices", queryPrices}};

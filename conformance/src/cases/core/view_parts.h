@@ -11,7 +11,7 @@ struct ViewParts : ViewDescription {
     ViewParts(const Functions& sdk, const Device* device);
 
     AgaaGBufferFunction gbuffer; // chain() chains it to desc
-    AgaaFetchFunction fetch; // functions without a scene
+    AgaaFetchFunction fetch;     // functions without a scene
     AgaaShadowFunction shadow;
     AgaaDeviceCaps caps;   // an ideal device; devices do not read it
     AgaaAggregation spare; // second struct of its type in a chain
@@ -31,11 +31,10 @@ struct ViewParts : ViewDescription {
 };
 
 // All flags that add a capability to a device.
-constexpr uint64_t idealDeviceFlags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
-                                      AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
-                                      AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES | AGAA_DEVICE_D24S8 |
-                                      AGAA_DEVICE_D32S8 | AGAA_DEVICE_GEOMETRY_SHADERS |
-                                      AGAA_DEVICE_FRAGMENT_INTERLOCK | AGAA_DEVICE_FRAMEBUFFER_FETCH;
+constexpr uint64_t idealDeviceFlags =
+    AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |
+    AGAA_DEVICE_DYNAMIC_RENDERING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES | AGAA_DEVICE_D24S8 |
+    AGAA_DEVICE_D32S8 | AGAA_DEVICE_GEOMETRY_SHADERS | AGAA_DEVICE_FRAGMENT_INTERLOCK | AGAA_DEVICE_FRAMEBUFFER_FETCH;
 
 struct ViewQuery {
     const char* name;

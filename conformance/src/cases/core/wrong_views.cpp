@@ -13,8 +13,8 @@ const AgaaStructHeader unknownStruct = {farStructType, sizeof(AgaaStructHeader),
 using Rows = std::vector<WrongView>;
 
 void addNulls(Rows& rows) {
-    rows.push_back({"a null description", AGAA_ERROR_INVALID_ARGUMENT, "AgaaViewDesc",
-                    [](ViewParts& p) { p.isNull = true; }});
+    rows.push_back(
+        {"a null description", AGAA_ERROR_INVALID_ARGUMENT, "AgaaViewDesc", [](ViewParts& p) { p.isNull = true; }});
     rows.push_back({"AgaaViewDesc::config = null", AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig",
                     [](ViewParts& p) { p.desc.config = nullptr; }});
     rows.push_back({"AgaaViewDesc::facts = null", AGAA_ERROR_INVALID_ARGUMENT, "AgaaSceneFacts",
@@ -37,10 +37,12 @@ void addNulls(Rows& rows) {
 }
 
 void addStructs(Rows& rows) {
-    rows.push_back({"AgaaViewDesc::sType = 0", AGAA_ERROR_STRUCT, "AgaaViewDesc", [](ViewParts& p) { p.desc.sType = 0; }});
+    rows.push_back(
+        {"AgaaViewDesc::sType = 0", AGAA_ERROR_STRUCT, "AgaaViewDesc", [](ViewParts& p) { p.desc.sType = 0; }});
     rows.push_back({"AgaaViewDesc::structSize = 0", AGAA_ERROR_STRUCT, "AgaaViewDesc",
                     [](ViewParts& p) { p.desc.structSize = 0; }});
-    rows.push_back({"AgaaConfig::sType = 0", AGAA_ERROR_STRUCT, "AgaaConfig", [](ViewParts& p) { p.config.sType = 0; }});
+    rows.push_back(
+        {"AgaaConfig::sType = 0", AGAA_ERROR_STRUCT, "AgaaConfig", [](ViewParts& p) { p.config.sType = 0; }});
     rows.push_back({"AgaaSceneFacts::structSize = 4", AGAA_ERROR_STRUCT, "AgaaSceneFacts",
                     [](ViewParts& p) { p.facts.structSize = 4; }});
     rows.push_back({"AgaaAggregation::structSize = 8", AGAA_ERROR_STRUCT, "AgaaAggregation",
@@ -65,7 +67,8 @@ void addStructs(Rows& rows) {
     rows.push_back({"AgaaAggregation chained to AgaaViewDesc", AGAA_ERROR_UNKNOWN_STRUCT,
                     std::to_string(AGAA_STRUCTURE_TYPE_AGGREGATION), [](ViewParts& p) { p.desc.pNext = &p.spare; }});
     rows.push_back({"AgaaAggregation chained twice", AGAA_ERROR_UNKNOWN_STRUCT,
-                    std::to_string(AGAA_STRUCTURE_TYPE_AGGREGATION), [](ViewParts& p) { p.measurement.pNext = &p.spare; }});
+                    std::to_string(AGAA_STRUCTURE_TYPE_AGGREGATION),
+                    [](ViewParts& p) { p.measurement.pNext = &p.spare; }});
     rows.push_back({"a chain that closes on itself", AGAA_ERROR_UNKNOWN_STRUCT, "",
                     [](ViewParts& p) { p.measurement.pNext = &p.aggregation; }});
 }
@@ -85,14 +88,16 @@ void addRanges(Rows& rows) {
     add("AgaaConfig::flags = 1 << 63", "flags", [](ViewParts& p) { p.config.flags = UINT64_C(1) << 63; });
     add("AgaaAggregation::characteristicLength = infinity", "characteristicLength",
         [](ViewParts& p) { p.aggregation.characteristicLength = INFINITY; });
-    add("AgaaAggregation::reserved = 0x7FFFFFFF", "reserved", [](ViewParts& p) { p.aggregation.reserved = 0x7FFFFFFF; });
+    add("AgaaAggregation::reserved = 0x7FFFFFFF", "reserved",
+        [](ViewParts& p) { p.aggregation.reserved = 0x7FFFFFFF; });
     add("\"dcaa\" and AgaaConfig::samples = 4", "samples", [](ViewParts& p) {
         p.setTechnique("dcaa", 4);
         p.config.samples = 4;
     });
     add("AgaaDecoupledCoverage::merge = 0x7FFFFFFF", "merge", [](ViewParts& p) { p.coverage.merge = 0x7FFFFFFF; });
     add("AgaaDecoupledCoverage::maxBatches = 0", "maxBatches", [](ViewParts& p) { p.coverage.maxBatches = 0; });
-    add("AgaaAdaptiveSampling::shadingScale = NaN", "shadingScale", [](ViewParts& p) { p.adaptive.shadingScale = NAN; });
+    add("AgaaAdaptiveSampling::shadingScale = NaN", "shadingScale",
+        [](ViewParts& p) { p.adaptive.shadingScale = NAN; });
     add("\"ssaa\" and AgaaMeasurement::seeds = 0x7FFFFFFF", "seeds", [](ViewParts& p) {
         p.config.technique = "ssaa";
         p.measurement.seeds = 0x7FFFFFFF;
@@ -163,18 +168,20 @@ void addLayouts(Rows& rows) {
 void addOthers(Rows& rows) {
     rows.push_back({"AgaaConfig::technique = \"taa\"", AGAA_ERROR_UNSUPPORTED, "taa",
                     [](ViewParts& p) { p.config.technique = "taa"; }});
-    rows.push_back({"AgaaConfig::technique = \"\"", AGAA_ERROR_UNSUPPORTED, "", [](ViewParts& p) { p.config.technique = ""; }});
+    rows.push_back(
+        {"AgaaConfig::technique = \"\"", AGAA_ERROR_UNSUPPORTED, "", [](ViewParts& p) { p.config.technique = ""; }});
     rows.push_back({"AgaaConfig::visibilityTier = AGAA_TIER_LAYERS", AGAA_ERROR_UNSUPPORTED, "layers",
                     [](ViewParts& p) { p.config.visibilityTier = AGAA_TIER_LAYERS; }});
-    rows.push_back({"\"msaa\" and AGAA_FACT_CUSTOM_DEPTH", AGAA_ERROR_UNSUPPORTED, "AGAA_FACT_CUSTOM_DEPTH",
-                    [](ViewParts& p) {
-                        p.config.technique = "msaa";
-                        p.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
-                    }});
-    rows.push_back({"\"msaa\" and an AgaaGBufferFunction", AGAA_ERROR_UNSUPPORTED, "AgaaGBufferFunction", [](ViewParts& p) {
-                        p.config.technique = "msaa";
-                        p.chain(p.gbuffer);
-                    }});
+    rows.push_back(
+        {"\"msaa\" and AGAA_FACT_CUSTOM_DEPTH", AGAA_ERROR_UNSUPPORTED, "AGAA_FACT_CUSTOM_DEPTH", [](ViewParts& p) {
+             p.config.technique = "msaa";
+             p.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
+         }});
+    rows.push_back(
+        {"\"msaa\" and an AgaaGBufferFunction", AGAA_ERROR_UNSUPPORTED, "AgaaGBufferFunction", [](ViewParts& p) {
+             p.config.technique = "msaa";
+             p.chain(p.gbuffer);
+         }});
     rows.push_back({"the tier FRAGMENT_LISTS without an AgaaFetchFunction", AGAA_ERROR_UNSUPPORTED, "AgaaFetchFunction",
                     [](ViewParts& p) {
                         p.setTechnique("dcaa", 4);

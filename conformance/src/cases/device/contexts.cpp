@@ -44,7 +44,8 @@ void testVersions(Test& test) {
     for (const uint32_t right : {version & ~0xFFFu, version | 0xFFFu}) {
         LogRecorder log;
         AgaaContext context = nullptr;
-        if (test.result(create(right, log, &context), AGAA_OK, function + " with headerVersion = " + std::to_string(right)))
+        if (test.result(create(right, log, &context), AGAA_OK,
+                        function + " with headerVersion = " + std::to_string(right)))
             test.sdk.agaaDestroyContext(context);
     }
 }
@@ -55,16 +56,17 @@ void testNulls(Test& test) {
     const std::string function = apiName(test.device(), "CreateContext");
     const auto create = isVulkan ? test.sdk.agaaVkCreateContext : test.sdk.agaaGlCreateContext;
     AgaaContext context = untouchedHandle<AgaaContext>();
-    test.result(create(AGAA_HEADER_VERSION, nullptr, &context), AGAA_ERROR_INVALID_ARGUMENT, function + " with desc = null");
+    test.result(create(AGAA_HEADER_VERSION, nullptr, &context), AGAA_ERROR_INVALID_ARGUMENT,
+                function + " with desc = null");
     test.check(context == untouchedHandle<AgaaContext>(), function + " with desc = null changes outContext.");
     ContextDescription description = test.device().description();
     LogRecorder log;
     description.desc.log = log.get();
-    expectRefused(test, create(AGAA_HEADER_VERSION, &description.desc, &context), AGAA_ERROR_INVALID_ARGUMENT, log, function,
-                  function + " without a chain", "DeviceDesc");
+    expectRefused(test, create(AGAA_HEADER_VERSION, &description.desc, &context), AGAA_ERROR_INVALID_ARGUMENT, log,
+                  function, function + " without a chain", "DeviceDesc");
     description.desc.pNext = isVulkan ? static_cast<const void*>(&description.vk) : &description.gl;
-    expectRefused(test, create(AGAA_HEADER_VERSION, &description.desc, nullptr), AGAA_ERROR_INVALID_ARGUMENT, log, function,
-                  function + " with outContext = null", "context");
+    expectRefused(test, create(AGAA_HEADER_VERSION, &description.desc, nullptr), AGAA_ERROR_INVALID_ARGUMENT, log,
+                  function, function + " with outContext = null", "context");
 }
 
 void testLogNull(Test& test) {
@@ -86,16 +88,16 @@ void testLogNull(Test& test) {
     ViewDescription description(&test.device());
     description.desc.width = 0;
     AgaaView view = nullptr;
-    expectRefused(test, test.device().createView(test.sdk, context.get(), &description.desc, &view), AGAA_ERROR_OUT_OF_RANGE,
-                  log, apiName(test.device(), "CreateView"), "a context whose AgaaLog was overwritten", "width");
+    expectRefused(test, test.device().createView(test.sdk, context.get(), &description.desc, &view),
+                  AGAA_ERROR_OUT_OF_RANGE, log, apiName(test.device(), "CreateView"),
+                  "a context whose AgaaLog was overwritten", "width");
 }
 
 // If framesInFlight is f, at most f frames may be unfinished.
 void testFramesInFlight(Test& test) {
     for (uint32_t frames = 1; frames <= 8; ++frames) {
         const std::string what = "AgaaContextDesc::framesInFlight = " + std::to_string(frames);
-        Rig rig(test, useSingle,
-                [=](ContextDescription& d) { d.desc.framesInFlight = frames; });
+        Rig rig(test, useSingle, [=](ContextDescription& d) { d.desc.framesInFlight = frames; });
         for (uint64_t i = 1; i <= frames + 1; ++i) {
             AgaaFrame frame = rig.nextFrame();
             frame.frameIndex = i;
@@ -132,7 +134,8 @@ void testWrongOrder(Test& test) {
                       "agaaDestroyContext", "agaaDestroyContext of a context with views", "view");
         // The context and its views remain usable.
         AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
-        test.result(test.device().getContextCaps(test.sdk, context.get(), &caps), AGAA_OK, "a call with a context that is kept");
+        test.result(test.device().getContextCaps(test.sdk, context.get(), &caps), AGAA_OK,
+                    "a call with a context that is kept");
         test.result(test.sdk.agaaResizeView(view, 16, 16), AGAA_OK, "agaaResizeView after agaaDestroyContext failed");
         test.sdk.agaaDestroyView(view);
     }
@@ -150,8 +153,8 @@ void testDestroyView(Test& test) {
             test.result(test.sdk.agaaResizeView(view, 5, 7), AGAA_OK, "agaaResizeView");
         if (i == 2) {
             description.desc.width = 0;
-            test.result(test.device().createView(test.sdk, context.get(), &description.desc, &none), AGAA_ERROR_OUT_OF_RANGE,
-                        "creating a view without pixels");
+            test.result(test.device().createView(test.sdk, context.get(), &description.desc, &none),
+                        AGAA_ERROR_OUT_OF_RANGE, "creating a view without pixels");
             context.log.lines.clear();
         }
         test.sdk.agaaDestroyView(view);
@@ -204,8 +207,9 @@ void addContextCases(Suite& suite) {
     suite.both("AgaaContextDesc.reserved/zero", testReserved);
     suite.both("AgaaContextDesc.log/null", testLogNull);
     suite.both("agaaDestroyContext/AGAA_ERROR_WRONG_ORDER", testWrongOrder);
-    suite.both("agaaDestroyContext/context.null",
-               [](Test& test) { test.result(test.sdk.agaaDestroyContext(nullptr), AGAA_OK, "agaaDestroyContext(null)"); });
+    suite.both("agaaDestroyContext/context.null", [](Test& test) {
+        test.result(test.sdk.agaaDestroyContext(nullptr), AGAA_OK, "agaaDestroyContext(null)");
+    });
     suite.both("agaaDestroyView/view.null", [](Test& test) {
         ScopedContext context(test);
         test.sdk.agaaDestroyView(nullptr);

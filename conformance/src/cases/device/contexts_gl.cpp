@@ -104,9 +104,10 @@ void testConstants(Test& test) {
             useSeparateUnit(d);
             d.gl.constants = constants;
         });
-        for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
-            const std::string what = "agaaGlCreateView of \"" + std::string(technique) + "\" with AgaaGlDeviceDesc::constants = " +
-                                     std::to_string(constants);
+        for (const char* technique :
+             {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
+            const std::string what = "agaaGlCreateView of \"" + std::string(technique) +
+                                     "\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants);
             ViewDescription description(&test.device());
             description.setTechnique(technique, 4);
             AgaaView view = nullptr;
@@ -147,7 +148,9 @@ void testDeviceHeader(Test& test) {
 } // namespace
 
 void addOpenGlContextCases(Suite& suite) {
-    const auto gl = [&](const char* name, std::function<void(Test&)> run) { suite.add(name, {Backend::OpenGl}, std::move(run)); };
+    const auto gl = [&](const char* name, std::function<void(Test&)> run) {
+        suite.add(name, {Backend::OpenGl}, std::move(run));
+    };
     gl("AgaaGlDeviceDesc/header", testDeviceHeader);
     gl("AgaaGlDeviceDesc.glslVersion/range", [](Test& test) {
         testMember(test, "glslVersion",
@@ -169,7 +172,9 @@ void addOpenGlContextCases(Suite& suite) {
     });
     gl("AgaaGlDeviceDesc.constants/enum", [](Test& test) {
         testMember(test, "constants",
-                   {{AGAA_GL_CONSTANTS_BLOCK, {}}, {AGAA_GL_CONSTANTS_UNIFORMS, {}}, {AGAA_GL_CONSTANTS_TEXELS, useSeparateUnit}},
+                   {{AGAA_GL_CONSTANTS_BLOCK, {}},
+                    {AGAA_GL_CONSTANTS_UNIFORMS, {}},
+                    {AGAA_GL_CONSTANTS_TEXELS, useSeparateUnit}},
                    [](AgaaGlDeviceDesc& d, uint32_t value) { d.constants = value; });
     });
     gl("AgaaGlConstants/AGAA_ERROR_UNSUPPORTED", testConstants);

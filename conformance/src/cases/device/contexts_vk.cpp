@@ -16,8 +16,11 @@ std::vector<ContextRow> wrongVulkanContexts(const Device&) {
         AgaaVkAllocator allocator = AGAA_VK_ALLOCATOR_INIT;
         return allocator;
     };
-    static AgaaVkAllocator noCallbacks = initialAllocator(), onlyAllocate = initialAllocator(), onlyFree = initialAllocator();
-    onlyAllocate.allocate = [](void*, const AgaaVkAllocationInfo*, AgaaVkMemory*) -> AgaaResult { return AGAA_ERROR_CALLBACK; };
+    static AgaaVkAllocator noCallbacks = initialAllocator(), onlyAllocate = initialAllocator(),
+                           onlyFree = initialAllocator();
+    onlyAllocate.allocate = [](void*, const AgaaVkAllocationInfo*, AgaaVkMemory*) -> AgaaResult {
+        return AGAA_ERROR_CALLBACK;
+    };
     onlyFree.free = [](void*, const AgaaVkMemory*) {};
     static const VkBaseInStructure noFeatures2 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES, nullptr};
     std::vector<ContextRow> rows;
@@ -40,8 +43,10 @@ std::vector<ContextRow> wrongVulkanContexts(const Device&) {
     add("an AgaaVkAllocator without free", invalid, "AgaaVkAllocator", [](D& d) { d.desc.pNext = &onlyAllocate; });
     add("an AgaaVkAllocator without allocate", invalid, "AgaaVkAllocator", [](D& d) { d.desc.pNext = &onlyFree; });
     add("AgaaVkDeviceDesc::descriptorSet = 8", range, "descriptorSet", [](D& d) { d.vk.descriptorSet = 8; });
-    add("AgaaVkDeviceDesc::descriptorSet = 0xFFFFFFFF", range, "descriptorSet", [](D& d) { d.vk.descriptorSet = 0xFFFFFFFF; });
-    add("AgaaVkDeviceDesc::queueFamily = 0xFFFFFFFF", range, "queueFamily", [](D& d) { d.vk.queueFamily = 0xFFFFFFFF; });
+    add("AgaaVkDeviceDesc::descriptorSet = 0xFFFFFFFF", range, "descriptorSet",
+        [](D& d) { d.vk.descriptorSet = 0xFFFFFFFF; });
+    add("AgaaVkDeviceDesc::queueFamily = 0xFFFFFFFF", range, "queueFamily",
+        [](D& d) { d.vk.queueFamily = 0xFFFFFFFF; });
     add("AgaaVkDeviceDesc::rendering = 0x7FFFFFFF", range, "rendering", [](D& d) { d.vk.rendering = 0x7FFFFFFF; });
     add("AgaaVkDeviceDesc::rendering = 3", range, "rendering", [](D& d) { d.vk.rendering = 3; });
     add("AgaaVkDeviceDesc::recording = 0x7FFFFFFF", range, "recording", [](D& d) { d.vk.recording = 0x7FFFFFFF; });
@@ -66,7 +71,8 @@ void testMember(Test& test, const std::string& member, const std::vector<uint32_
 
 uint32_t setsOf(Test& test) {
     VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(static_cast<VkPhysicalDevice>(test.device().description().vk.physicalDevice), &properties);
+    vkGetPhysicalDeviceProperties(static_cast<VkPhysicalDevice>(test.device().description().vk.physicalDevice),
+                                  &properties);
     return properties.limits.maxBoundDescriptorSets;
 }
 
@@ -96,7 +102,8 @@ void testRendering(Test& test) {
     testMember(test, "rendering", {AGAA_VK_RENDERING_AUTO, AGAA_VK_RENDERING_RENDER_PASS},
                [](AgaaVkDeviceDesc& d, uint32_t value) { d.rendering = value; });
     // The suite's device is created without dynamic rendering.
-    expectContextRefused(test, {"AGAA_VK_RENDERING_DYNAMIC on a device without it", AGAA_ERROR_UNSUPPORTED, "dynamic rendering",
+    expectContextRefused(test, {"AGAA_VK_RENDERING_DYNAMIC on a device without it", AGAA_ERROR_UNSUPPORTED,
+                                "dynamic rendering",
                                 [](ContextDescription& d) { d.vk.rendering = AGAA_VK_RENDERING_DYNAMIC; }});
 }
 
@@ -116,9 +123,11 @@ void testFeaturesNull(Test& test) {
                                  older(d);
                                  d.vk.enabledFeatures = nullptr;
                              }).flags;
-    test.check(named == unnamed, "AgaaVkDeviceDesc::enabledFeatures = null gives the context other capabilities than the "
-                                 "same features by name.");
-    for (const uint64_t flag : {AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_DEVICE_SAMPLE_RATE_SHADING, AGAA_DEVICE_STORAGE_FORMATS})
+    test.check(named == unnamed,
+               "AgaaVkDeviceDesc::enabledFeatures = null gives the context other capabilities than the "
+               "same features by name.");
+    for (const uint64_t flag :
+         {AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_DEVICE_SAMPLE_RATE_SHADING, AGAA_DEVICE_STORAGE_FORMATS})
         test.check(unnamed & flag, "AgaaVkDeviceDesc::enabledFeatures = null: the context lacks the flag " +
                                        std::to_string(flag) + " although the device has the feature.");
 }
@@ -166,7 +175,8 @@ void testThreads(Test& test) {
         });
     for (std::thread& thread : threads)
         thread.join();
-    test.check(wrong == 0, std::to_string(wrong) + " contexts of 4 threads at once are not created as those of one thread.");
+    test.check(wrong == 0,
+               std::to_string(wrong) + " contexts of 4 threads at once are not created as those of one thread.");
     expectNoMessages(test, "creating contexts in 4 threads");
 }
 
@@ -194,12 +204,15 @@ HeaderCase chainedCase(const char* name, const std::function<void(Test&, void*)>
 void fillDevice(Test& test, void* structure) {
     const AgaaVkDeviceDesc right = test.device().description().vk;
     constexpr size_t header = sizeof(AgaaStructHeader);
-    std::memcpy(static_cast<char*>(structure) + header, reinterpret_cast<const char*>(&right) + header, sizeof right - header);
+    std::memcpy(static_cast<char*>(structure) + header, reinterpret_cast<const char*>(&right) + header,
+                sizeof right - header);
 }
 
 void fillAllocator(Test&, void* structure) {
     auto& allocator = *static_cast<AgaaVkAllocator*>(structure);
-    allocator.allocate = [](void*, const AgaaVkAllocationInfo*, AgaaVkMemory*) -> AgaaResult { return AGAA_ERROR_CALLBACK; };
+    allocator.allocate = [](void*, const AgaaVkAllocationInfo*, AgaaVkMemory*) -> AgaaResult {
+        return AGAA_ERROR_CALLBACK;
+    };
     allocator.free = [](void*, const AgaaVkMemory*) {};
 }
 
@@ -207,8 +220,10 @@ void fillAllocator(Test&, void* structure) {
 
 void addVulkanContextCases(Suite& suite) {
     const auto vk = [&](const char* name, void (*run)(Test&)) { suite.add(name, {Backend::Vulkan}, run); };
-    vk("AgaaVkDeviceDesc/header", [](Test& test) { testHeader(test, chainedCase("AgaaVkDeviceDesc", fillDevice, true)); });
-    vk("AgaaVkAllocator/header", [](Test& test) { testHeader(test, chainedCase("AgaaVkAllocator", fillAllocator, false)); });
+    vk("AgaaVkDeviceDesc/header",
+       [](Test& test) { testHeader(test, chainedCase("AgaaVkDeviceDesc", fillDevice, true)); });
+    vk("AgaaVkAllocator/header",
+       [](Test& test) { testHeader(test, chainedCase("AgaaVkAllocator", fillAllocator, false)); });
     vk("AgaaVkDeviceDesc.descriptorSet/range", testDescriptorSet);
     vk("AgaaVkDeviceDesc.descriptorSet/range/limit", testSetLimit);
     vk("AgaaVkDeviceDesc.rendering/enum", testRendering);

@@ -10,8 +10,10 @@ namespace {
 
 constexpr uint32_t columns = 8, rows = 6, pixels = columns * rows;
 
-void expectCount(Test& test, const char* counter, uint64_t got, uint64_t least, uint64_t most, const std::string& what) {
-    const std::string promised = least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most);
+void expectCount(Test& test, const char* counter, uint64_t got, uint64_t least, uint64_t most,
+                 const std::string& what) {
+    const std::string promised =
+        least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most);
     test.check(got >= least && got <= most,
                what + ": AgaaCounters::" + counter + " is " + std::to_string(got) + " in place of " + promised + ".");
 }
@@ -62,7 +64,8 @@ void expectRectangle(Rig& rig, const std::string& technique) {
     uint64_t counted = 0;
     for (const uint64_t number : c.pixelsByEvents)
         counted += number;
-    expectCount(test, "pixelsByEvents, in all", counted, shadesFragments ? 0 : pixels, shadesFragments ? 0 : pixels, what);
+    expectCount(test, "pixelsByEvents, in all", counted, shadesFragments ? 0 : pixels, shadesFragments ? 0 : pixels,
+                what);
     const uint64_t alone = shadesSamples || shadesFragments ? 0 : pixels; // n is more than 1
     expectCount(test, "pixelsByEvents[0]", c.pixelsByEvents[0], alone, alone, what);
     expectCount(test, "aggregates", c.aggregates, aggregates ? pixels : 0, aggregates ? pixels : 0, what);
@@ -90,9 +93,11 @@ void expectValid(Rig& rig, const std::string& technique) {
     rig.test.requireOk(rig.test.sdk.agaaValidateFrame(rig.view.get(), rig.recorded, &v), "agaaValidateFrame");
     const AgaaCounters c = rig.counters();
     const std::string what = "a right frame of \"" + technique + "\"";
-    rig.test.check(v.isValid == 1 && v.invalidPixels == 0 && v.pixelCount == 0, what + " is not valid: " + v.explanation);
-    rig.test.check(v.visible == c.visible && v.once == c.once && v.uncovered == c.uncovered && v.overlapping == c.overlapping &&
-                       v.ties == c.ties && v.misplaced == c.misplaced && v.unannounced == c.unannounced,
+    rig.test.check(v.isValid == 1 && v.invalidPixels == 0 && v.pixelCount == 0,
+                   what + " is not valid: " + v.explanation);
+    rig.test.check(v.visible == c.visible && v.once == c.once && v.uncovered == c.uncovered &&
+                       v.overlapping == c.overlapping && v.ties == c.ties && v.misplaced == c.misplaced &&
+                       v.unannounced == c.unannounced,
                    what + " has other counts in AgaaFrameValidation than in AgaaCounters.");
     rig.test.check(v.frameIndex == rig.recorded, what + " is not the frame that was validated.");
 }
@@ -183,7 +188,8 @@ void testShadowTaps(Test& test) {
 } // namespace
 
 void addCounterCases(Suite& suite) {
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique :
+         {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
         suite.both("general/counters_of_flat_scenes/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });
     suite.both("general/counters_are_0_if_not_requested", testNoCounters);

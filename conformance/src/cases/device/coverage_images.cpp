@@ -11,9 +11,7 @@ namespace {
 struct Size {
     uint32_t width, height;
 };
-Size sizeOf(const Rig& rig) {
-    return {rig.description().desc.width, rig.description().desc.height};
-}
+Size sizeOf(const Rig& rig) { return {rig.description().desc.width, rig.description().desc.height}; }
 
 void addSurface(Rig& rig, float x0, float y0, float x1, float y1, float distance, const Surface& surface) {
     addRectangle(rig.scene, sizeOf(rig).width, sizeOf(rig).height, x0, y0, x1, y1, distance, surface);
@@ -31,9 +29,10 @@ void expectBackground(Rig& rig, const std::string& technique) {
     rig.scene.clear();
     for (const float scale : {0.0f, 0.125f, 1.0f, 1000.0f}) {
         const float background[] = {scale, 0.5f * scale, 2 * scale};
-        const Image image = rig.render([&](AgaaFrame& frame) { std::copy(background, background + 3, frame.background); });
-        expectColor(rig.test, image, sizeOf(rig).width, {0, 0, sizeOf(rig).width, sizeOf(rig).height}, background, 0.001f,
-                    "the background of " + technique);
+        const Image image =
+            rig.render([&](AgaaFrame& frame) { std::copy(background, background + 3, frame.background); });
+        expectColor(rig.test, image, sizeOf(rig).width, {0, 0, sizeOf(rig).width, sizeOf(rig).height}, background,
+                    0.001f, "the background of " + technique);
         for (size_t i = 3; i < image.size(); i += 4)
             if (!rig.test.check(image[i] == 1.0f, "alpha of " + technique + " is not 1."))
                 break;
@@ -86,7 +85,7 @@ void expectEdge(Rig& rig, float fraction, const std::string& technique) {
     rig.test.requireOk(rig.test.sdk.agaaGetDrawPasses(rig.view.get(), &count, passes.data()), "agaaGetDrawPasses");
     // Columns of the pattern.
     const uint32_t perTexel = hasCoverageSamples(rig.description().config.technique) ? rig.description().config.samples
-                                                                                    : passes[0].state.samples;
+                                                                                     : passes[0].state.samples;
     const float step = 1.0f / float(perTexel * passes[0].scaleX);
     for (uint32_t y = 0; y < 24; ++y) {
         const float share = *pixel(image, 32, 10, y);
@@ -195,7 +194,8 @@ void testImages(Test& test, const char* name) {
 } // namespace
 
 void addCoverageImageCases(Suite& suite) {
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique :
+         {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
         suite.both("general/images_of_surfaces/" + std::string(technique),
                    [technique](Test& test) { testImages(test, technique); });
     suite.both("general/image_of_an_edge/many_samples", testManySamples);

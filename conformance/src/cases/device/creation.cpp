@@ -8,7 +8,8 @@ std::string apiName(const Device& device, const std::string& function) {
     return (device.backend() == Backend::Vulkan ? "agaaVk" : "agaaGl") + function;
 }
 
-void addApiCase(Suite& suite, const std::string& function, const std::string& promise, const std::function<void(Test&)>& run) {
+void addApiCase(Suite& suite, const std::string& function, const std::string& promise,
+                const std::function<void(Test&)>& run) {
     suite.add("agaaVk" + function + "/" + promise, {Backend::Vulkan}, run);
     suite.add("agaaGl" + function + "/" + promise, {Backend::OpenGl}, run);
 }
@@ -99,8 +100,10 @@ std::vector<ContextRow> wrongContexts() {
                     [](ContextDescription& d) { d.desc.free = release; }});
     rows.push_back({"an unknown struct in the chain", AGAA_ERROR_UNKNOWN_STRUCT, std::to_string(farStructType),
                     [](ContextDescription& d) { d.desc.pNext = &unknown; }});
-    rows.push_back({"AgaaContextDesc::sType = 0", AGAA_ERROR_STRUCT, "", [](ContextDescription& d) { d.desc.sType = 0; }, true});
-    rows.push_back({"AgaaLog::sType = 0", AGAA_ERROR_STRUCT, "", [](ContextDescription& d) { d.desc.log = &wrongLog; }, true});
+    rows.push_back(
+        {"AgaaContextDesc::sType = 0", AGAA_ERROR_STRUCT, "", [](ContextDescription& d) { d.desc.sType = 0; }, true});
+    rows.push_back(
+        {"AgaaLog::sType = 0", AGAA_ERROR_STRUCT, "", [](ContextDescription& d) { d.desc.log = &wrongLog; }, true});
     // The library skips the struct, and finds no device.
     const auto hide = [](ContextDescription& d) {
         d.vk.sType = d.gl.sType = farStructType | AGAA_STRUCTURE_TYPE_OPTIONAL_BIT;

@@ -13,15 +13,16 @@ using ChangeContext = std::function<void(ContextDescription&)>;
 struct ContextRow {
     std::string what; // name of the call in failures
     AgaaResult expected;
-    std::string words;    // part of the sentence; may be empty
-    ChangeContext change; // change of a valid description
+    std::string words;     // part of the sentence; may be empty
+    ChangeContext change;  // change of a valid description
     bool isSilent = false; // the log is invalid, so only the result is tested
 };
 
 // Returns "agaaVkCreateContext" or "agaaGlCreateContext" for "CreateContext".
 std::string apiName(const Device& device, const std::string& function);
 // Adds a test of agaaVk… on Vulkan and of agaaGl… on OpenGL.
-void addApiCase(Suite& suite, const std::string& function, const std::string& promise, const std::function<void(Test&)>& run);
+void addApiCase(Suite& suite, const std::string& function, const std::string& promise,
+                const std::function<void(Test&)>& run);
 
 // Creates a context that must be refused. outContext must be unchanged, and the graphics API must not report a message.
 void expectContextRefused(Test& test, const ContextRow& row);

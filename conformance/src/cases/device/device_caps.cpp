@@ -64,7 +64,8 @@ void testContextCaps(Test& test) {
     const std::string function = apiName(test.device(), "GetContextCaps");
     ScopedContext context(test);
     AgaaDeviceCaps deviceCaps = initialCaps, caps = pattern();
-    test.requireOk(test.device().getDeviceCaps(test.sdk, nullptr, &deviceCaps), apiName(test.device(), "GetDeviceCaps"));
+    test.requireOk(test.device().getDeviceCaps(test.sdk, nullptr, &deviceCaps),
+                   apiName(test.device(), "GetDeviceCaps"));
     test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), function);
     checkCaps(test, caps, function);
     test.check(!(caps.flags & ~deviceCaps.flags), function + ": the context has flags that the device lacks.");
@@ -100,9 +101,10 @@ void testDeviceStructs(Test& test) {
 
 void testContextStructs(Test& test) {
     ScopedContext context(test);
-    refuseStructs(test, apiName(test.device(), "GetContextCaps"), context.log, [&](const AgaaLog*, AgaaDeviceCaps* caps) {
-        return test.device().getContextCaps(test.sdk, context.get(), caps);
-    });
+    refuseStructs(test, apiName(test.device(), "GetContextCaps"), context.log,
+                  [&](const AgaaLog*, AgaaDeviceCaps* caps) {
+                      return test.device().getContextCaps(test.sdk, context.get(), caps);
+                  });
 }
 
 void testContextNulls(Test& test) {
@@ -137,13 +139,14 @@ void testDeviceNulls(Test& test) {
     const std::string function = apiName(test.device(), "GetDeviceCaps");
     if (test.device().backend() == Backend::Vulkan) {
         refuseDevice(test, "instance = null", "null", [](ContextDescription& d) { d.vk.instance = nullptr; });
-        refuseDevice(test, "physicalDevice = null", "null", [](ContextDescription& d) { d.vk.physicalDevice = nullptr; });
+        refuseDevice(test, "physicalDevice = null", "null",
+                     [](ContextDescription& d) { d.vk.physicalDevice = nullptr; });
     }
     refuseDevice(test, "getProcAddr = null", "null",
                  [](ContextDescription& d) { d.vk.getProcAddr = nullptr, d.gl.getProcAddr = nullptr; });
     LogRecorder log;
-    expectRefused(test, deviceCapsOf(test, test.device().description(), log.get(), nullptr), AGAA_ERROR_INVALID_ARGUMENT, log,
-                  function, function + " with outCaps = null", "AgaaDeviceCaps");
+    expectRefused(test, deviceCapsOf(test, test.device().description(), log.get(), nullptr),
+                  AGAA_ERROR_INVALID_ARGUMENT, log, function, function + " with outCaps = null", "AgaaDeviceCaps");
 }
 
 // ---- headers ---------------------------------------------------------------------------------------

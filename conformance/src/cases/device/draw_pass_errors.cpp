@@ -56,14 +56,14 @@ const std::vector<WrongCall>& wrongCalls() {
              a.vk.structSize = a.gl.structSize = 8;
          }},
         {"the struct of the other API chained", AGAA_ERROR_UNKNOWN_STRUCT, [](Arguments& a) { a.chain(false); }},
-        {"an unknown struct chained", AGAA_ERROR_UNKNOWN_STRUCT, [](Arguments& a) { a.array.back().pNext = &a.unknown; }},
+        {"an unknown struct chained", AGAA_ERROR_UNKNOWN_STRUCT,
+         [](Arguments& a) { a.array.back().pNext = &a.unknown; }},
         {"count = 0", AGAA_ERROR_BUFFER_TOO_SMALL, [](Arguments& a) { a.length = 0; }},
         {"one element less than there are passes", AGAA_ERROR_BUFFER_TOO_SMALL, [](Arguments& a) { --a.length; }}};
     return calls;
 }
 
-template <class T>
-bool isSame(const std::vector<T>& a, const std::vector<T>& b) {
+template <class T> bool isSame(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(T));
 }
 
@@ -110,7 +110,8 @@ void addDrawPassErrorCases(Suite& suite) {
                 {"count.unchanged", AGAA_OK},
                 {"passes.unchanged", AGAA_OK}};
     for (const auto& row : rows)
-        suite.both(std::string("agaaGetDrawPasses/") + row.name, [code = row.code](Test& test) { testCalls(test, code); });
+        suite.both(std::string("agaaGetDrawPasses/") + row.name,
+                   [code = row.code](Test& test) { testCalls(test, code); });
 }
 
 } // namespace agaa::conformance

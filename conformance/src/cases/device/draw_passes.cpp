@@ -17,13 +17,15 @@ void testCount(Test& test) {
     uint32_t count = 77;
     test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &count, nullptr), "agaaGetDrawPasses with passes = null");
     rig.render();
-    test.check(count == rig.statistics().geometryPasses, std::to_string(count) + " draw passes, where the statistics have " +
+    test.check(count == rig.statistics().geometryPasses, std::to_string(count) +
+                                                             " draw passes, where the statistics have " +
                                                              std::to_string(rig.statistics().geometryPasses) + ".");
     std::vector<AgaaDrawPass> passes(count + 3, initialPass);
     uint32_t length = count + 3;
     test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &length, passes.data()),
                    "agaaGetDrawPasses with a longer array than needed");
-    test.check(length == count, "agaaGetDrawPasses with a longer array returns " + std::to_string(length) + " in count.");
+    test.check(length == count,
+               "agaaGetDrawPasses with a longer array returns " + std::to_string(length) + " in count.");
     for (uint32_t i = count; i < passes.size(); ++i)
         test.check(!std::memcmp(&passes[i], &initialPass, sizeof initialPass),
                    "agaaGetDrawPasses writes beyond the number of passes.");
@@ -62,14 +64,15 @@ void testStateRanges(Test& test) {
         for (const AgaaDrawPass& pass : list.passes) {
             const AgaaDrawState& s = pass.state;
             const std::string what = passText(technique, pass);
-            test.check(s.colorWriteMask <= 15, what + " has the colorWriteMask " + std::to_string(s.colorWriteMask) + ".");
+            test.check(s.colorWriteMask <= 15,
+                       what + " has the colorWriteMask " + std::to_string(s.colorWriteMask) + ".");
             test.check(!s.colorAttachmentCount || s.colorWriteMask, what + " has attachments and writes none.");
             test.check(s.colorAttachmentCount <= 8, what + " has more than 8 attachments.");
-            for (const uint32_t flag :
-                 {s.depthWrite, s.stencilTest, s.stencilTestMasked, s.sampleShading, s.keepFirst, s.conservative,
-                  s.vertexPulling, s.readsAttachments})
+            for (const uint32_t flag : {s.depthWrite, s.stencilTest, s.stencilTestMasked, s.sampleShading, s.keepFirst,
+                                        s.conservative, s.vertexPulling, s.readsAttachments})
                 test.check(flag <= 1, what + " has a flag that is neither 0 nor 1.");
-            test.check(s.samples && !(s.samples & (s.samples - 1)), what + " has a number of samples that is no power of 2.");
+            test.check(s.samples && !(s.samples & (s.samples - 1)),
+                       what + " has a number of samples that is no power of 2.");
         }
     });
 }

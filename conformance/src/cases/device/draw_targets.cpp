@@ -83,9 +83,9 @@ void testSize(Test& test, bool isWidth) {
         const AgaaDrawTarget& t = call.target;
         const uint32_t got = isWidth ? t.width : t.height, scale = isWidth ? t.scaleX : t.scaleY;
         const uint32_t pixels = isWidth ? call.width : call.height;
-        test.check(got == pixels * scale, what + " receives the " + (isWidth ? "width " : "height ") + std::to_string(got) +
-                                              " for " + std::to_string(pixels) + " pixels of " + std::to_string(scale) +
-                                              " texels.");
+        test.check(got == pixels * scale, what + " receives the " + (isWidth ? "width " : "height ") +
+                                              std::to_string(got) + " for " + std::to_string(pixels) + " pixels of " +
+                                              std::to_string(scale) + " texels.");
         const AgaaDrawPass* pass = passOf(call);
         test.check(pass && got == (isWidth ? pass->width : pass->height),
                    what + " receives another size than AgaaDrawPass has.");

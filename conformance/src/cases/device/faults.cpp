@@ -88,7 +88,8 @@ void testView(Test& test, const Fault& fault) {
     AgaaView view = untouchedHandle<AgaaView>();
     const std::map<std::string, int64_t> before = faults.api->objects;
     faults.forEach(
-        function, context.log, [&] { return test.device().createView(test.sdk, context.get(), &description.desc, &view); },
+        function, context.log,
+        [&] { return test.device().createView(test.sdk, context.get(), &description.desc, &view); },
         [&](const std::string& what) { test.check(view == untouchedHandle<AgaaView>(), what + ", changes outView."); });
     if (view == untouchedHandle<AgaaView>())
         return;
@@ -145,14 +146,15 @@ void addFaultCases(Suite& suite) {
     };
     add("agaaPrepareVariants/AGAA_ERROR_DEVICE", Backend::Vulkan, testPrepare, deviceLost);
     add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY", Backend::Vulkan, testPrepare, outOfDeviceMemory);
-    add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY/vulkan_host_memory", Backend::Vulkan, testPrepare, outOfHostMemory);
+    add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY/vulkan_host_memory", Backend::Vulkan, testPrepare,
+        outOfHostMemory);
     struct Row {
         const char *vulkan, *openGl;
         Run run;
     };
-    for (const Row& row : {Row{"agaaVkCreateContext", "agaaGlCreateContext", testContext},
-                           Row{"agaaVkCreateView", "agaaGlCreateView", testView},
-                           Row{"agaaResizeView", "agaaResizeView", testResize}}) {
+    for (const Row& row :
+         {Row{"agaaVkCreateContext", "agaaGlCreateContext", testContext},
+          Row{"agaaVkCreateView", "agaaGlCreateView", testView}, Row{"agaaResizeView", "agaaResizeView", testResize}}) {
         const std::string vk = row.vulkan, gl = row.openGl;
         const bool isOne = vk == gl; // both APIs have the function
         add(vk + "/AGAA_ERROR_DEVICE", Backend::Vulkan, row.run, deviceLost);

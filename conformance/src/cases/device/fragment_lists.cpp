@@ -28,14 +28,17 @@ void testMerges(Test& test) {
         uint64_t flags;
         uint32_t tier = AGAA_TIER_FRAGMENT_LISTS;
     };
-    for (const Settings& settings : {Settings{AGAA_MERGE_VISIBLE, 0}, Settings{AGAA_MERGE_PAPER, 0}, Settings{AGAA_MERGE_NONE, 0},
-                           Settings{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT},
-                           Settings{AGAA_MERGE_VISIBLE, 0, AGAA_TIER_MATERIAL_LISTS},
-                           Settings{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT, AGAA_TIER_MATERIAL_LISTS}}) {
-        Rig rig(test, withCoverage(settings.tier, [settings](AgaaDecoupledCoverage& c) { c.merge = settings.merge, c.flags = settings.flags; }));
+    for (const Settings& settings :
+         {Settings{AGAA_MERGE_VISIBLE, 0}, Settings{AGAA_MERGE_PAPER, 0}, Settings{AGAA_MERGE_NONE, 0},
+          Settings{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT}, Settings{AGAA_MERGE_VISIBLE, 0, AGAA_TIER_MATERIAL_LISTS},
+          Settings{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT, AGAA_TIER_MATERIAL_LISTS}}) {
+        Rig rig(test, withCoverage(settings.tier, [settings](AgaaDecoupledCoverage& c) {
+                    c.merge = settings.merge, c.flags = settings.flags;
+                }));
         const Image image = rig.render();
         const std::string what = "AgaaDecoupledCoverage::merge = " + std::to_string(settings.merge) +
-                                 ", flags = " + std::to_string(settings.flags) + ", tier " + test.sdk.agaaTierName(settings.tier);
+                                 ", flags = " + std::to_string(settings.flags) + ", tier " +
+                                 test.sdk.agaaTierName(settings.tier);
         const float second[] = {0.25f, 0.5f, 0.5f}, masked[] = {0.25f, 0.75f, 0.5f};
         expectColor(test, image, 32, {8, 12, 32, 24}, second, 0.01f, what + ": the second rectangle");
         expectColor(test, image, 32, {16, 0, 24, 12}, masked, 0.01f, what + ": the masked rectangle");
@@ -75,8 +78,9 @@ Image renderBatches(Rig& rig, uint32_t maxBatches, const std::string& what) {
     rig.test.check(!batches.numbers.empty() && batches.numbers.size() <= maxBatches,
                    what + " draws the scene " + std::to_string(batches.numbers.size()) + " times.");
     for (size_t i = 0; i < batches.numbers.size(); ++i)
-        rig.test.check(batches.numbers[i] == i, what + ": AgaaDrawTarget::batch is " + std::to_string(batches.numbers[i]) +
-                                                    " in draw callback " + std::to_string(i) + ".");
+        rig.test.check(batches.numbers[i] == i, what + ": AgaaDrawTarget::batch is " +
+                                                    std::to_string(batches.numbers[i]) + " in draw callback " +
+                                                    std::to_string(i) + ".");
     return image;
 }
 
@@ -84,9 +88,9 @@ void testBatches(Test& test) {
     Image small;
     for (const uint32_t maxBatches : {1u, 4u}) {
         Rig rig(test, withCoverage(AGAA_TIER_AUTO, [=](AgaaDecoupledCoverage& c) {
-            c.fragmentsPerPixel = 1;
-            c.maxBatches = maxBatches;
-        }));
+                    c.fragmentsPerPixel = 1;
+                    c.maxBatches = maxBatches;
+                }));
         const std::string what = "AgaaDecoupledCoverage::maxBatches = " + std::to_string(maxBatches);
         for (Vertex& vertex : rig.scene)
             vertex.isMasked = 0;
@@ -99,10 +103,11 @@ void testBatches(Test& test) {
         const Image layers = renderBatches(rig, maxBatches, what);
         const AgaaCounters c = rig.counters();
         test.check(c.fragments > minCapacity, what + ": AgaaCounters::fragments is " + std::to_string(c.fragments) +
-                                                " for 100 rectangles of 768 pixels.");
+                                                  " for 100 rectangles of 768 pixels.");
         const uint64_t lost = maxBatches == 1 ? c.fragments - minCapacity : 0;
-        test.check(c.lostFragments == lost, what + ": AgaaCounters::lostFragments is " + std::to_string(c.lostFragments) +
-                                                " in place of " + std::to_string(lost) + ".");
+        test.check(c.lostFragments == lost, what + ": AgaaCounters::lostFragments is " +
+                                                std::to_string(c.lostFragments) + " in place of " +
+                                                std::to_string(lost) + ".");
         test.check(maxBatches == 1 ? c.batches == 1 : c.batches >= 2 && c.batches <= maxBatches,
                    what + ": AgaaCounters::batches is " + std::to_string(c.batches) + ".");
         const float front[] = {0.25f, 0.5f, 0.5f};
@@ -123,14 +128,14 @@ void testConstants(Test& test) {
         if (constants == AGAA_GL_CONSTANTS_BLOCK)
             expected = image;
         else
-            expectSame(test, image, expected, 32, "\"dcaa\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants));
+            expectSame(test, image, expected, 32,
+                       "\"dcaa\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants));
         rig.scene = manyLayers();
         rig.render();
         const AgaaCounters c = rig.counters();
-        test.check(c.lostFragments == c.fragments - minCapacity, "\"dcaa\" with AgaaGlDeviceDesc::constants = " +
-                                                                   std::to_string(constants) + " loses " +
-                                                                   std::to_string(c.lostFragments) + " of " +
-                                                                   std::to_string(c.fragments) + " fragments.");
+        test.check(c.lostFragments == c.fragments - minCapacity,
+                   "\"dcaa\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants) + " loses " +
+                       std::to_string(c.lostFragments) + " of " + std::to_string(c.fragments) + " fragments.");
     }
 }
 
@@ -148,8 +153,9 @@ void testNoGeometryShaders(Test& test) {
     setTechnique(description, "dcaa", 4);
     description.desc.flags &= ~AGAA_VIEW_VERTEX_PULLING; // the device has no geometry shaders
     AgaaView view = nullptr;
-    expectRefused(test, test.device().createView(test.sdk, context.get(), &description.desc, &view), AGAA_ERROR_UNSUPPORTED,
-                  context.log, "agaaVkCreateView", "agaaVkCreateView of \"dcaa\" without geometry shaders", "geometry shaders");
+    expectRefused(test, test.device().createView(test.sdk, context.get(), &description.desc, &view),
+                  AGAA_ERROR_UNSUPPORTED, context.log, "agaaVkCreateView",
+                  "agaaVkCreateView of \"dcaa\" without geometry shaders", "geometry shaders");
     test.check(!view, "agaaVkCreateView fails and returns a view.");
     description.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
     const BareView pulled(test, context.get(), description); // the view is created
@@ -161,7 +167,8 @@ void testPulling(Test& test) {
     test.requireOk(test.device().getDeviceCaps(test.sdk, nullptr, &caps), "asking for the capabilities of the device");
     if (!(caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
         test.skip("the device has no geometry shaders to compare with.");
-    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS},
+                                          {"dcaa", AGAA_TIER_MATERIAL_LISTS},
                                           {"agaa", AGAA_TIER_FRAGMENTS}}) {
         const std::string what = std::string("AGAA_VIEW_VERTEX_PULLING with ") + test.sdk.agaaTierName(tier);
         Image expected;
@@ -207,21 +214,23 @@ void testPullingConstants(Test& test) {
     Image expected;
     for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS})
         for (const uint32_t version : {450u, 330u}) {
-            Rig rig(test,
-                    [](ViewDescription& d) {
-                        setTechnique(d, "dcaa", 4);
-                        d.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
-                    },
-                    [=](ContextDescription& d) {
-                        d.gl.constants = constants;
-                        d.gl.glslVersion = version;
-                        d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit that no other texture uses
-                    });
+            Rig rig(
+                test,
+                [](ViewDescription& d) {
+                    setTechnique(d, "dcaa", 4);
+                    d.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
+                },
+                [=](ContextDescription& d) {
+                    d.gl.constants = constants;
+                    d.gl.glslVersion = version;
+                    d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit that no other texture uses
+                });
             const Image image = rig.render();
             if (expected.empty())
                 expected = image;
-            expectSame(test, image, expected, 32, "AGAA_VIEW_VERTEX_PULLING with AgaaGlDeviceDesc::constants = " +
-                                                      std::to_string(constants) + " and GLSL " + std::to_string(version));
+            expectSame(test, image, expected, 32,
+                       "AGAA_VIEW_VERTEX_PULLING with AgaaGlDeviceDesc::constants = " + std::to_string(constants) +
+                           " and GLSL " + std::to_string(version));
         }
 }
 
@@ -239,13 +248,15 @@ void testConditionalRendering(Test& test) {
         VkPhysicalDeviceFeatures2 features =
             *static_cast<const VkPhysicalDeviceFeatures2*>(device->description().vk.enabledFeatures);
         features.pNext = nullptr;
-        const auto inBatches = withCoverage(
-            AGAA_TIER_AUTO, [](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = 8; });
-        Rig all(inner, inBatches, [&](ContextDescription& d) { d.vk.enabledFeatures = &features; }), needed(inner, inBatches);
+        const auto inBatches =
+            withCoverage(AGAA_TIER_AUTO, [](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = 8; });
+        Rig all(inner, inBatches, [&](ContextDescription&d) { d.vk.enabledFeatures = &features; }),
+            needed(inner, inBatches);
         if (!skipsBatches(inner, needed.context.get()))
             test.skip("the device has no VK_EXT_conditional_rendering.");
-        inner.check(!skipsBatches(inner, all.context.get()),
-                    "agaaVkGetContextCaps has the flag CONDITIONAL_RENDERING where the host does not enable the feature.");
+        inner.check(
+            !skipsBatches(inner, all.context.get()),
+            "agaaVkGetContextCaps has the flag CONDITIONAL_RENDERING where the host does not enable the feature.");
         for (const bool isFull : {false, true}) {
             if (isFull)
                 all.scene = needed.scene = manyLayers();

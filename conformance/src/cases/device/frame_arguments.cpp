@@ -14,8 +14,7 @@ struct ArgumentRow {
     bool mayReport = false;
 };
 
-template <class Native>
-RecordHook changed(const std::function<void(Native&)>& change) {
+template <class Native> RecordHook changed(const std::function<void(Native&)>& change) {
     return [change](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void* native) {
         Native copy = *static_cast<const Native*>(native);
         change(copy);
@@ -26,28 +25,30 @@ constexpr auto vk = changed<AgaaVkFrame>;
 constexpr auto gl = changed<AgaaGlFrame>;
 
 std::vector<ArgumentRow> pointers(const std::string& nativeName) {
-    return {
-        {"a null AgaaFrame", "AgaaFrame",
-         [](const RecordCall& call, AgaaView view, const AgaaFrame*, const void* native) {
-             return call(view, nullptr, native);
-         }},
-        {"a null " + nativeName, nativeName,
-         [](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void*) { return call(view, frame, nullptr); }},
-        {"AgaaFrame::draw = null", "AgaaFrame::draw",
-         [](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void* native) {
-             AgaaFrame copy = *frame;
-             copy.draw = nullptr;
-             return call(view, &copy, native);
-         }}};
+    return {{"a null AgaaFrame", "AgaaFrame",
+             [](const RecordCall& call, AgaaView view, const AgaaFrame*, const void* native) {
+                 return call(view, nullptr, native);
+             }},
+            {"a null " + nativeName, nativeName,
+             [](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void*) {
+                 return call(view, frame, nullptr);
+             }},
+            {"AgaaFrame::draw = null", "AgaaFrame::draw",
+             [](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void* native) {
+                 AgaaFrame copy = *frame;
+                 copy.draw = nullptr;
+                 return call(view, &copy, native);
+             }}};
 }
 
-void testRows(Rig& rig, const std::vector<ArgumentRow>& rows, const Image& expected, const Rig::ChangeFrame& changeFrame = {}) {
+void testRows(Rig& rig, const std::vector<ArgumentRow>& rows, const Image& expected,
+              const Rig::ChangeFrame& changeFrame = {}) {
     for (const ArgumentRow& row : rows) {
         AgaaFrame frame = rig.nextFrame();
         if (changeFrame)
             changeFrame(frame);
-        expectFrameRefused(rig, frame, {row.code, rig.function() + " with " + row.what, row.words, row.mayReport}, expected,
-                           row.hook);
+        expectFrameRefused(rig, frame, {row.code, rig.function() + " with " + row.what, row.words, row.mayReport},
+                           expected, row.hook);
     }
 }
 
@@ -60,9 +61,7 @@ void testNullView(Rig& rig) {
     rig.context.log.lines.clear();
 }
 
-void allowShadows(ViewDescription& description) {
-    description.facts.shadowMapCount = 2;
-}
+void allowShadows(ViewDescription& description) { description.facts.shadowMapCount = 2; }
 
 const AgaaShadow plainShadow = AGAA_SHADOW_INIT;
 const AgaaShadow twoShadows[] = {plainShadow, plainShadow};
@@ -82,8 +81,10 @@ void testVk(Test& test) {
     // The view declares shadow maps, so the first one is needed even if the frame has no shadows.
     rows.push_back({"shadowViews[0] = 0", "shadowViews[0]", vk([](AgaaVkFrame& f) { f.shadowViews[0] = 0; })});
     testRows(rig, rows, expected);
-    testRows(rig, {{"two shadows and shadowViews[1] = 0", "shadowViews[1]", vk([](AgaaVkFrame& f) { f.shadowViews[1] = 0; })}},
-             expected, useShadows);
+    testRows(
+        rig,
+        {{"two shadows and shadowViews[1] = 0", "shadowViews[1]", vk([](AgaaVkFrame& f) { f.shadowViews[1] = 0; })}},
+        expected, useShadows);
     rig.device().changeVkFrame = [](AgaaVkFrame& f) { f.shadowViews[1] = f.shadowViews[2] = f.shadowViews[3] = 0; };
     expectNextFrame(rig, expected, "a frame without shadows and shadowViews that are 0 but for the first");
     rig.device().changeVkFrame = nullptr;
@@ -95,19 +96,20 @@ void testGl(Test& test) {
     testNullView(rig);
     std::vector<ArgumentRow> rows = pointers("AgaaGlFrame");
     rows.push_back({"outputTexture = 0", "outputTexture", gl([](AgaaGlFrame& f) { f.outputTexture = 0; })});
-    rows.push_back(
-        {"an outputTexture that does not exist", "outputTexture", gl([](AgaaGlFrame& f) { f.outputTexture = 0x7F000001; })});
+    rows.push_back({"an outputTexture that does not exist", "outputTexture",
+                    gl([](AgaaGlFrame& f) { f.outputTexture = 0x7F000001; })});
     rows.push_back({"an outputTexture of another target", "outputTexture",
-                    gl([](AgaaGlFrame& f) { f.outputTexture = f.shadowTextures[0]; }), AGAA_ERROR_INVALID_ARGUMENT, true});
+                    gl([](AgaaGlFrame& f) { f.outputTexture = f.shadowTextures[0]; }), AGAA_ERROR_INVALID_ARGUMENT,
+                    true});
     testRows(rig, rows, expected);
-    testRows(
-        rig,
-        {{"two shadows and shadowTextures[1] = 0", "shadowTextures[1]", gl([](AgaaGlFrame& f) { f.shadowTextures[1] = 0; })},
-         {"a shadowTextures[0] that does not exist", "shadowTextures[0]",
-          gl([](AgaaGlFrame& f) { f.shadowTextures[0] = 0x7F000001; })},
-         {"a shadowTextures[1] of another target", "shadowTextures[1]",
-          gl([](AgaaGlFrame& f) { f.shadowTextures[1] = f.outputTexture; }), AGAA_ERROR_INVALID_ARGUMENT, true}},
-        expected, useShadows);
+    testRows(rig,
+             {{"two shadows and shadowTextures[1] = 0", "shadowTextures[1]",
+               gl([](AgaaGlFrame& f) { f.shadowTextures[1] = 0; })},
+              {"a shadowTextures[0] that does not exist", "shadowTextures[0]",
+               gl([](AgaaGlFrame& f) { f.shadowTextures[0] = 0x7F000001; })},
+              {"a shadowTextures[1] of another target", "shadowTextures[1]",
+               gl([](AgaaGlFrame& f) { f.shadowTextures[1] = f.outputTexture; }), AGAA_ERROR_INVALID_ARGUMENT, true}},
+             expected, useShadows);
     rig.device().changeGlFrame = [](AgaaGlFrame& f) { std::fill(f.shadowTextures, f.shadowTextures + 4, 0u); };
     expectNextFrame(rig, expected, "a frame without shadows and shadowTextures that are 0");
     rig.device().changeGlFrame = nullptr;
@@ -146,13 +148,12 @@ void testOtherApi(Test& test) {
     const AgaaResult result = isVk ? test.sdk.agaaGlRecordFrame(rig.view.get(), &frame, &glFrame)
                                    : test.sdk.agaaVkRecordFrame(rig.view.get(), &frame, &vkFrame);
     const std::string other = isVk ? "agaaGlRecordFrame" : "agaaVkRecordFrame";
-    expectRefused(test, result, AGAA_ERROR_INVALID_ARGUMENT, rig.context.log, other, other + " with a view of the other API",
-                  "view");
+    expectRefused(test, result, AGAA_ERROR_INVALID_ARGUMENT, rig.context.log, other,
+                  other + " with a view of the other API", "view");
     expectNextFrame(rig, expected, other + " with a view of the other API");
 }
 
-template <class Native>
-void addStructRows(std::vector<ArgumentRow>& rows, const std::string& name) {
+template <class Native> void addStructRows(std::vector<ArgumentRow>& rows, const std::string& name) {
     for (const uint32_t size : {0u, 8u, uint32_t(sizeof(Native)) - 8}) {
         const auto hook = changed<Native>([size](Native& f) { f.structSize = size; });
         rows.push_back({name + "::structSize = " + std::to_string(size), name, hook, AGAA_ERROR_STRUCT});
@@ -172,9 +173,9 @@ void testStructs(Test& test) {
     for (const bool isType : {true, false}) {
         AgaaFrame frame = rig.nextFrame();
         (isType ? frame.sType : frame.structSize) = 0;
-        expectFrameRefused(rig, frame,
-                           {AGAA_ERROR_STRUCT, rig.function() + " with an AgaaFrame that is not initialised", "AgaaFrame"},
-                           expected);
+        expectFrameRefused(
+            rig, frame, {AGAA_ERROR_STRUCT, rig.function() + " with an AgaaFrame that is not initialised", "AgaaFrame"},
+            expected);
     }
 }
 

@@ -36,10 +36,10 @@ struct DrawFailure {
     AgaaResult result;
 };
 // "agaa" draws twice, unless the device aggregates from a G-buffer.
-const DrawFailure drawFailures[] = {
-    {"agaa", 1, AGAA_ERROR_CALLBACK}, {"agaa", 2, AGAA_ERROR_CALLBACK}, {"agaa", 2, AGAA_NOT_READY},       {"agaa", 1, 12345},
-    {"agaa", 1, AGAA_ERROR_INTERNAL}, {"msaa", 1, AGAA_ERROR_CALLBACK}, {"single", 1, AGAA_ERROR_CALLBACK},
-    {"dcaa", 1, AGAA_ERROR_CALLBACK}};
+const DrawFailure drawFailures[] = {{"agaa", 1, AGAA_ERROR_CALLBACK},   {"agaa", 2, AGAA_ERROR_CALLBACK},
+                                    {"agaa", 2, AGAA_NOT_READY},        {"agaa", 1, 12345},
+                                    {"agaa", 1, AGAA_ERROR_INTERNAL},   {"msaa", 1, AGAA_ERROR_CALLBACK},
+                                    {"single", 1, AGAA_ERROR_CALLBACK}, {"dcaa", 1, AGAA_ERROR_CALLBACK}};
 
 std::string callText(const DrawFailure& row) {
     return "a draw callback of \"" + std::string(row.technique) + "\" that returns " + std::to_string(row.result) +
@@ -77,9 +77,7 @@ void testException(Test& test, AgaaResult code, const Rig::ChangeContext& change
     expectDrawFailure(rig, {rig.device(), 1, AGAA_OK, true}, "a draw callback that throws", code, expected);
 }
 
-void recordInline(ContextDescription& description) {
-    description.vk.recording = AGAA_VK_RECORDING_INLINE;
-}
+void recordInline(ContextDescription& description) { description.vk.recording = AGAA_VK_RECORDING_INLINE; }
 
 // No command of the segment is recorded, and the frame continues with this segment.
 void testSegment(Test& test) {
@@ -134,15 +132,18 @@ void testManyFailures(Test& test, AgaaResult code, const Rig::ChangeContext& cha
         FailingDraw draw{rig.device(), 1};
         draw.use(frame);
         rig.context.log.lines.clear();
-        test.result(rig.record(frame), code, rig.function() + " with a draw callback that fails, time " + std::to_string(i));
+        test.result(rig.record(frame), code,
+                    rig.function() + " with a draw callback that fails, time " + std::to_string(i));
     }
     AgaaFrame frame = rig.nextFrame();
     frame.completedFrame = 0;
     test.requireOk(rig.record(frame), "the second of two frames in flight after ten that failed");
-    expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width, "the frame after ten that failed");
+    expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width,
+               "the frame after ten that failed");
     const AgaaFrameStatistics statistics = rig.statistics();
-    test.check(statistics.frameIndex == rig.recorded, "the statistics are of frame " + std::to_string(statistics.frameIndex) +
-                                                          " in place of " + std::to_string(rig.recorded) + ".");
+    test.check(statistics.frameIndex == rig.recorded, "the statistics are of frame " +
+                                                          std::to_string(statistics.frameIndex) + " in place of " +
+                                                          std::to_string(rig.recorded) + ".");
 }
 
 } // namespace
@@ -150,7 +151,8 @@ void testManyFailures(Test& test, AgaaResult code, const Rig::ChangeContext& cha
 void addFrameCallbackCases(Suite& suite) {
     addRecordCase(suite, "AGAA_ERROR_CALLBACK", [](Test& test) { testFailures(test, AGAA_ERROR_CALLBACK); });
     addRecordCase(suite, "AGAA_ERROR_CALLBACK/exception", [](Test& test) { testException(test, AGAA_ERROR_CALLBACK); });
-    addRecordCase(suite, "AGAA_ERROR_CALLBACK/many", [](Test& test) { testManyFailures(test, AGAA_ERROR_CALLBACK, {}); });
+    addRecordCase(suite, "AGAA_ERROR_CALLBACK/many",
+                  [](Test& test) { testManyFailures(test, AGAA_ERROR_CALLBACK, {}); });
     suite.add("agaaVkRecordFrame/AGAA_ERROR_CALLBACK/segment", {Backend::Vulkan}, testSegment);
     suite.add("agaaVkRecordFrame/AGAA_ERROR_PARTIAL", {Backend::Vulkan}, testPartialSegment);
     suite.add("AGAA_VK_RECORDING_INLINE/AGAA_ERROR_PARTIAL", {Backend::Vulkan},

@@ -90,9 +90,9 @@ void testSegments(Test& test) {
     expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width, "a frame in three segments");
     frame = rig.nextFrame();
     frame.segments = 0;
-    expectFrameRefused(rig, frame,
-                       {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with AgaaFrame::segments = 0", "AgaaFrame::segments"},
-                       expected);
+    expectFrameRefused(
+        rig, frame, {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with AgaaFrame::segments = 0", "AgaaFrame::segments"},
+        expected);
     for (int bit = isSameVersion(test) ? 3 : 48; bit < 64; ++bit) {
         frame = rig.nextFrame();
         frame.segments = AGAA_SEGMENT_ALL | UINT64_C(1) << bit;

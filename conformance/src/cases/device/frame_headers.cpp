@@ -12,20 +12,15 @@ namespace {
 
 constexpr size_t headerBytes = sizeof(AgaaStructHeader);
 
-template <class T>
-T& as(void* structure) {
-    return *static_cast<T*>(structure);
-}
+template <class T> T& as(void* structure) { return *static_cast<T*>(structure); }
 
-template <class T>
-void copyMembers(void* structure, const T& from) {
+template <class T> void copyMembers(void* structure, const T& from) {
     std::memcpy(static_cast<char*>(structure) + headerBytes, reinterpret_cast<const char*>(&from) + headerBytes,
                 sizeof from - headerBytes);
 }
 
 // A view logs through its context. The messages of a call are copied to the log of the case.
-template <class Call>
-AgaaResult logged(Rig& rig, const AgaaLog* log, const Call& call) {
+template <class Call> AgaaResult logged(Rig& rig, const AgaaLog* log, const Call& call) {
     rig.context.log.lines.clear();
     const AgaaResult result = call();
     for (const LogLine& line : rig.context.log.lines)
@@ -37,24 +32,25 @@ HeaderCase frameCase(Rig& rig) {
     const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
         AgaaFrame frame = rig.nextFrame();
         return logged(rig, log, [&] {
-            return rig.record(frame, [&](const RecordCall& record, AgaaView view, const AgaaFrame* f, const void* native) {
-                copyMembers(structure, *f);
-                return record(view, &as<AgaaFrame>(structure), native);
-            });
+            return rig.record(frame,
+                              [&](const RecordCall& record, AgaaView view, const AgaaFrame* f, const void* native) {
+                                  copyMembers(structure, *f);
+                                  return record(view, &as<AgaaFrame>(structure), native);
+                              });
         });
     };
     return {"AgaaFrame", rig.function(), nullptr, call};
 }
 
-template <class Native>
-HeaderCase nativeFrameCase(Rig& rig, const char* name) {
+template <class Native> HeaderCase nativeFrameCase(Rig& rig, const char* name) {
     const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
         AgaaFrame frame = rig.nextFrame();
         return logged(rig, log, [&] {
-            return rig.record(frame, [&](const RecordCall& record, AgaaView view, const AgaaFrame* f, const void* native) {
-                copyMembers(structure, *static_cast<const Native*>(native));
-                return record(view, f, structure);
-            });
+            return rig.record(frame,
+                              [&](const RecordCall& record, AgaaView view, const AgaaFrame* f, const void* native) {
+                                  copyMembers(structure, *static_cast<const Native*>(native));
+                                  return record(view, f, structure);
+                              });
         });
     };
     return {name, rig.function(), nullptr, call};
@@ -97,8 +93,9 @@ HeaderCase nativePassCase(Rig& rig, const char* name) {
 
 HeaderCase surfaceCase(Rig& rig, const char* nativeName) {
     const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
-        return logged(rig, log,
-                      [&] { return rig.test.sdk.agaaGetSurface(rig.view.get(), "depth", &as<AgaaSurface>(structure)); });
+        return logged(rig, log, [&] {
+            return rig.test.sdk.agaaGetSurface(rig.view.get(), "depth", &as<AgaaSurface>(structure));
+        });
     };
     return {"AgaaSurface", "agaaGetSurface", nullptr, call, true, true, false, nativeName};
 }
@@ -115,7 +112,8 @@ HeaderCase nativeSurfaceCase(Rig& rig, const char* name) {
 HeaderCase statisticsCase(Rig& rig) {
     const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
         return logged(rig, log, [&] {
-            return rig.test.sdk.agaaGetFrameStatistics(rig.view.get(), rig.recorded, &as<AgaaFrameStatistics>(structure));
+            return rig.test.sdk.agaaGetFrameStatistics(rig.view.get(), rig.recorded,
+                                                       &as<AgaaFrameStatistics>(structure));
         });
     };
     return {"AgaaFrameStatistics", "agaaGetFrameStatistics", nullptr, call, true};
@@ -157,7 +155,8 @@ void add(Suite& suite, const char* name, const std::vector<Backend>& backends,
 } // namespace
 
 void addFrameHeaderCases(Suite& suite) {
-    const std::vector<Backend> vk = {Backend::Vulkan}, gl = {Backend::OpenGl}, both = {Backend::Vulkan, Backend::OpenGl};
+    const std::vector<Backend> vk = {Backend::Vulkan}, gl = {Backend::OpenGl},
+                               both = {Backend::Vulkan, Backend::OpenGl};
     add(suite, "AgaaFrame/header", both, frameCase);
     add(suite, "AgaaDrawPass/header", both, passCase);
     add(suite, "AgaaFrameStatistics/header", both, statisticsCase);

@@ -69,8 +69,6 @@ void addFrameMembers(Suite& suite, const std::string& promise, const std::vector
     });
 }
 
-void addFrameMember(Suite& suite, const FrameMember& row) {
-    addFrameMembers(suite, row.promise, {row});
-}
+void addFrameMember(Suite& suite, const FrameMember& row) { addFrameMembers(suite, row.promise, {row}); }
 
 } // namespace agaa::conformance

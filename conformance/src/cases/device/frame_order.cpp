@@ -38,7 +38,8 @@ void expectSegmentsRefused(Rig& rig, uint64_t first, uint64_t second, const Imag
     if (frame.segments)
         rig.test.requireOk(rig.record(frame), rig.function() + " with the other segments after " + what);
     if (first != AGAA_SEGMENT_ALL)
-        expectSame(rig.test, rig.device().readOutput(), expected, rig.description().desc.width, "the frame after " + what);
+        expectSame(rig.test, rig.device().readOutput(), expected, rig.description().desc.width,
+                   "the frame after " + what);
     rig.expectNoMessages(what);
     expectNextFrame(rig, expected, what);
 }
@@ -112,8 +113,9 @@ void testFramesInFlight(Test& test) {
             rig.render([](AgaaFrame& frame) { frame.completedFrame = 0; });
         AgaaFrame frame = rig.nextFrame();
         frame.completedFrame = 0;
-        expectFrameRefused(
-            rig, frame, {AGAA_ERROR_WRONG_ORDER, with + "none of " + std::to_string(inFlight) + " frames finished"}, expected);
+        expectFrameRefused(rig, frame,
+                           {AGAA_ERROR_WRONG_ORDER, with + "none of " + std::to_string(inFlight) + " frames finished"},
+                           expected);
         // Exactly the frame that is framesInFlight earlier is finished.
         rig.render([inFlight](AgaaFrame& f) { f.completedFrame = f.frameIndex - inFlight; });
     }
@@ -159,7 +161,8 @@ void testSameCamera(Test& test) {
             expectRefused(test, result, AGAA_ERROR_OUT_OF_RANGE, rig.context.log, rig.function(), what, row.words);
             frame.segments = AGAA_SEGMENT_ALL & ~first;
             test.requireOk(rig.record(frame), rig.function() + " with the camera of the first segment after " + what);
-            expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width, "the frame after " + what);
+            expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width,
+                       "the frame after " + what);
         }
 }
 
@@ -169,10 +172,10 @@ void testComposite(Test& test) {
     const Image expected = rig.render();
     AgaaFrame frame = rig.nextFrame();
     frame.background[3] = 0;
-    expectFrameRefused(
-        rig, frame,
-        {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with background[3] = 0 and no AGAA_VIEW_COMPOSITE", "AGAA_VIEW_COMPOSITE"},
-        expected);
+    expectFrameRefused(rig, frame,
+                       {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with background[3] = 0 and no AGAA_VIEW_COMPOSITE",
+                        "AGAA_VIEW_COMPOSITE"},
+                       expected);
 }
 
 } // namespace

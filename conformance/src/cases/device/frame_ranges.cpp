@@ -15,9 +15,7 @@ Set view(int i) {
     return [i](FrameParts& parts, double v) { parts.frame.view[i] = float(v); };
 }
 
-std::string elementText(const char* member, int i) {
-    return std::string(member) + "[" + std::to_string(i) + "]";
-}
+std::string elementText(const char* member, int i) { return std::string(member) + "[" + std::to_string(i) + "]"; }
 
 // The pixel camera is orthographic: elements 0, 5, 10 scale, elements 12, 13, 14 shift. On OpenGL element 14 may be -1.
 void testProjection(Test& test) {
@@ -60,8 +58,12 @@ void testPerspective(Test& test) {
             parts.frame.projection[i] = float(v);
         };
     };
-    testFrameMember(
-        rig, {"", "AgaaFrame::projection for a screen at the distance", "AgaaFrame::projection", perspective, {4, 8, 100}, {}});
+    testFrameMember(rig, {"",
+                          "AgaaFrame::projection for a screen at the distance",
+                          "AgaaFrame::projection",
+                          perspective,
+                          {4, 8, 100},
+                          {}});
     for (const int i : {1, 2, 3, 4, 6, 7, 12, 13})
         testFrameMember(rig, {"",
                               elementText("AgaaFrame::projection", i) + " of a perspective",
@@ -69,10 +71,15 @@ void testPerspective(Test& test) {
                               with(i),
                               {},
                               notNumbers({1})});
+    testFrameMember(rig, {"",
+                          "AgaaFrame::projection[14] of a perspective",
+                          "AgaaFrame::projection",
+                          with(14),
+                          {},
+                          notNumbers({0, 0.2})});
     testFrameMember(
-        rig, {"", "AgaaFrame::projection[14] of a perspective", "AgaaFrame::projection", with(14), {}, notNumbers({0, 0.2})});
-    testFrameMember(
-        rig, {"", "AgaaFrame::projection[15] of a perspective", "AgaaFrame::projection", with(15), {}, notNumbers({1, -1})});
+        rig,
+        {"", "AgaaFrame::projection[15] of a perspective", "AgaaFrame::projection", with(15), {}, notNumbers({1, -1})});
 }
 
 void testView(Test& test) {

@@ -50,9 +50,7 @@ const ViewDescription& Rig::changed(const ChangeView& changeView) {
 
 std::string Rig::function() const { return apiName(device(), "RecordFrame"); }
 
-AgaaFrame Rig::nextFrame() const {
-    return pixelFrame(device(), description_, recorded + 1);
-}
+AgaaFrame Rig::nextFrame() const { return pixelFrame(device(), description_, recorded + 1); }
 
 AgaaResult Rig::record(AgaaFrame& frame, const RecordHook& hook) {
     AgaaResult result = AGAA_OK;
@@ -84,8 +82,7 @@ Image Rig::render(const ChangeFrame& change) {
 
 AgaaFrameStatistics Rig::statistics() {
     AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
-    test.requireOk(test.sdk.agaaGetFrameStatistics(view.get(), recorded, &statistics),
-                   "agaaGetFrameStatistics");
+    test.requireOk(test.sdk.agaaGetFrameStatistics(view.get(), recorded, &statistics), "agaaGetFrameStatistics");
     return statistics;
 }
 
@@ -104,8 +101,7 @@ void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, cons
     rig.context.log.lines.clear();
     const uint64_t before = rig.recorded;
     const AgaaResult result = rig.record(frame, hook);
-    expectRefused(rig.test, result, refusal.code, rig.context.log, rig.function(), refusal.what,
-                  refusal.words);
+    expectRefused(rig.test, result, refusal.code, rig.context.log, rig.function(), refusal.what, refusal.words);
     if (refusal.mayReport)
         rig.device().takeMessages();
     rig.expectNoMessages(refusal.what);
@@ -139,8 +135,7 @@ const float* pixel(const Image& image, uint32_t width, uint32_t x, uint32_t y) {
 
 static std::string colorText(const float* rgba) {
     char text[120];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", double(rgba[0]), double(rgba[1]),
-                  double(rgba[2]));
+    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", double(rgba[0]), double(rgba[1]), double(rgba[2]));
     return text;
 }
 
@@ -148,8 +143,7 @@ static std::string at(size_t i, uint32_t width) {
     return " at pixel (" + std::to_string(i % width) + ", " + std::to_string(i / width) + ")";
 }
 
-void expectSame(Test& test, const Image& got, const Image& expected, uint32_t width,
-                const std::string& what) {
+void expectSame(Test& test, const Image& got, const Image& expected, uint32_t width, const std::string& what) {
     if (!test.check(got.size() == expected.size(), what + " has another size."))
         return;
     size_t first = 0, count = 0;
@@ -158,8 +152,8 @@ void expectSame(Test& test, const Image& got, const Image& expected, uint32_t wi
             first = i;
     if (count)
         test.check(false, what + " differs in " + std::to_string(count) + " pixels; first " +
-                              colorText(&got[4 * first]) + " in place of " +
-                              colorText(&expected[4 * first]) + at(first, width) + ".");
+                              colorText(&got[4 * first]) + " in place of " + colorText(&expected[4 * first]) +
+                              at(first, width) + ".");
 }
 
 void expectAlike(Test& test, const Image& got, const Image& expected, float rounding, const std::string& what) {
@@ -175,15 +169,14 @@ void expectAlike(Test& test, const Image& got, const Image& expected, float roun
     }
 }
 
-void expectColor(Test& test, const Image& got, uint32_t width, const Area& area, const float* rgb,
-                 float tolerance, const std::string& what) {
+void expectColor(Test& test, const Image& got, uint32_t width, const Area& area, const float* rgb, float tolerance,
+                 const std::string& what) {
     for (uint32_t y = area.y0; y < area.y1; ++y)
         for (uint32_t x = area.x0; x < area.x1; ++x) {
             const float* p = pixel(got, width, x, y);
             bool isEqual = true;
             for (int c = 0; c < 3; ++c)
-                isEqual = isEqual &&
-                          std::fabs(p[c] - rgb[c]) <= tolerance * std::max(1.0f, std::fabs(rgb[c]));
+                isEqual = isEqual && std::fabs(p[c] - rgb[c]) <= tolerance * std::max(1.0f, std::fabs(rgb[c]));
             if (!test.check(isEqual, what + ": " + colorText(p) + " in place of " + colorText(rgb) +
                                          at(size_t(y) * width + x, width) + "."))
                 return;

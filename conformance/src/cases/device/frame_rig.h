@@ -32,7 +32,7 @@ private: // declared before the view, which is created from it
 
 public:
     ScopedView view;
-    Scene scene; // smallScene() at first
+    Scene scene;           // smallScene() at first
     uint64_t recorded = 0; // index of the newest frame that was recorded without an error
 
     const ViewDescription& description() const { return description_; }
@@ -53,7 +53,7 @@ public:
 
 struct Refusal {
     AgaaResult code;
-    std::string what;  // name of the call in failures
+    std::string what;       // name of the call in failures
     std::string words = ""; // part of the log's sentence; may be empty
     bool mayReport = false; // the graphics API may also report a message
 };

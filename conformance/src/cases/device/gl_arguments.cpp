@@ -37,10 +37,10 @@ void testFormats(Test& test) {
     for (const GLenum format : {GL_SRGB8_ALPHA8, GL_RGB8, GL_RGBA4, GL_RGB9_E5, GL_DEPTH_COMPONENT32F}) {
         const ScopedTexture output(GL_TEXTURE_2D, format, 32, 24);
         AgaaFrame frame = rig.nextFrame();
-        expectFrameRefused(
-            rig, frame,
-            {AGAA_ERROR_UNSUPPORTED, rig.function() + " with an output of format " + std::to_string(format), "outputTexture"},
-            expected, changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; }));
+        expectFrameRefused(rig, frame,
+                           {AGAA_ERROR_UNSUPPORTED,
+                            rig.function() + " with an output of format " + std::to_string(format), "outputTexture"},
+                           expected, changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; }));
     }
     for (const GLenum format : {GL_RGBA32F, GL_RGBA16F}) {
         const ScopedTexture output(GL_TEXTURE_2D, format, 32, 24);
@@ -76,9 +76,10 @@ void testShadowWithoutDepth(Test& test) {
     AgaaFrame frame = rig.nextFrame();
     frame.shadows = &shadow;
     frame.shadowCount = 1;
-    expectFrameRefused(rig, frame,
-                       {AGAA_ERROR_INVALID_ARGUMENT, rig.function() + " with a shadow map without depth", "shadowTextures[0]"},
-                       expected, changed([&](AgaaGlFrame& f) { f.shadowTextures[0] = map.name; }));
+    expectFrameRefused(
+        rig, frame,
+        {AGAA_ERROR_INVALID_ARGUMENT, rig.function() + " with a shadow map without depth", "shadowTextures[0]"},
+        expected, changed([&](AgaaGlFrame& f) { f.shadowTextures[0] = map.name; }));
 }
 
 void testReserved(Test& test) {
@@ -88,10 +89,10 @@ void testReserved(Test& test) {
         test.skip("a later library may give the member a meaning.");
     for (const uint32_t value : {1u, 0xFFFFFFFFu}) {
         AgaaFrame frame = rig.nextFrame();
-        expectFrameRefused(
-            rig, frame,
-            {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with AgaaGlFrame::reserved = " + std::to_string(value), "reserved"},
-            expected, changed([value](AgaaGlFrame& f) { f.reserved = value; }));
+        expectFrameRefused(rig, frame,
+                           {AGAA_ERROR_OUT_OF_RANGE,
+                            rig.function() + " with AgaaGlFrame::reserved = " + std::to_string(value), "reserved"},
+                           expected, changed([value](AgaaGlFrame& f) { f.reserved = value; }));
     }
 }
 
@@ -134,12 +135,13 @@ void testFeedback(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
     AgaaFrame frame = rig.nextFrame();
-    expectFrameRefused(rig, frame,
-                       {AGAA_ERROR_WRONG_ORDER, rig.function() + " while transform feedback is active", "transform feedback"},
-                       expected, [](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
-                           const Feedback active;
-                           return call(view, f, native);
-                       });
+    expectFrameRefused(
+        rig, frame,
+        {AGAA_ERROR_WRONG_ORDER, rig.function() + " while transform feedback is active", "transform feedback"},
+        expected, [](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
+            const Feedback active;
+            return call(view, f, native);
+        });
     frame = rig.nextFrame();
     test.requireOk(rig.record(frame,
                               [](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {

@@ -116,10 +116,10 @@ template <class F> AgaaGlFunction replace(F& real, AgaaGlFunction found, F repla
 }
 
 AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
-#define AGAA_ALLOCATING(function, Type)                                   \
-    if (name == function) {                                               \
-        using A = Allocating<function, Type>;                             \
-        return replace(A::real, found, A::call);                          \
+#define AGAA_ALLOCATING(function, Type)                                                                                \
+    if (name == function) {                                                                                            \
+        using A = Allocating<function, Type>;                                                                          \
+        return replace(A::real, found, A::call);                                                                       \
     }
     AGAA_ALLOCATING("glTextureStorage2D", PFNGLTEXTURESTORAGE2DPROC)
     AGAA_ALLOCATING("glTextureStorage3D", PFNGLTEXTURESTORAGE3DPROC)
@@ -132,10 +132,10 @@ AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
     AGAA_ALLOCATING("glBufferData", PFNGLBUFFERDATAPROC)
     AGAA_ALLOCATING("glBufferStorage", PFNGLBUFFERSTORAGEPROC)
 #undef AGAA_ALLOCATING
-#define AGAA_OBJECTS(kind, real, replacement)                                     \
-    if (name == "glCreate" kind)                                          \
-        return replace(Objects<kind>::real, found, Objects<kind>::replacement); \
-    if (name == "glDelete" kind)                                          \
+#define AGAA_OBJECTS(kind, real, replacement)                                                                          \
+    if (name == "glCreate" kind)                                                                                       \
+        return replace(Objects<kind>::real, found, Objects<kind>::replacement);                                        \
+    if (name == "glDelete" kind)                                                                                       \
         return replace(Objects<kind>::realDelete, found, Objects<kind>::destroy);
     AGAA_OBJECTS("Textures", realCreateOf, createOf)
     AGAA_OBJECTS("Queries", realCreateOf, createOf)

@@ -15,10 +15,10 @@ public:
     // The function of the description provides all other functions.
     void chainTo(ContextDescription& description) override;
 
-    std::string version;          // GL_VERSION, "4.2 …"; empty: the context's
-    std::string hiddenExtension;  // extension that the context seems to lack
-    std::string missing;          // function that is not found; "*": all functions
-    bool isComplete = true;       // false: framebuffers are reported as unsupported
+    std::string version;         // GL_VERSION, "4.2 …"; empty: the context's
+    std::string hiddenExtension; // extension that the context seems to lack
+    std::string missing;         // function that is not found; "*": all functions
+    bool isComplete = true;      // false: framebuffers are reported as unsupported
 
     // Called by the functions that replace OpenGL's.
     static OpenGlInterposer* current;

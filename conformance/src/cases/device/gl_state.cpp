@@ -14,56 +14,151 @@ struct Row {
     const char* text;
     int count = 1;
 };
-#define ROW(name) {name, #name}
-#define ROWS(name, count) {name, #name, count}
+#define ROW(name)                                                                                                      \
+    { name, #name }
+#define ROWS(name, count)                                                                                              \
+    { name, #name, count }
 
-constexpr Row switches[] = {
-    ROW(GL_DEPTH_TEST), ROW(GL_DEPTH_CLAMP), ROW(GL_STENCIL_TEST), ROW(GL_RASTERIZER_DISCARD), ROW(GL_CULL_FACE),
-    ROW(GL_POLYGON_OFFSET_FILL), ROW(GL_POLYGON_OFFSET_LINE), ROW(GL_POLYGON_OFFSET_POINT), ROW(GL_POLYGON_SMOOTH),
-    ROW(GL_LINE_SMOOTH), ROW(GL_PROGRAM_POINT_SIZE), ROW(GL_MULTISAMPLE), ROW(GL_SAMPLE_ALPHA_TO_COVERAGE),
-    ROW(GL_SAMPLE_ALPHA_TO_ONE), ROW(GL_SAMPLE_COVERAGE), ROW(GL_SAMPLE_MASK), ROW(GL_SAMPLE_SHADING),
-    ROW(GL_COLOR_LOGIC_OP), ROW(GL_DITHER), ROW(GL_FRAMEBUFFER_SRGB), ROW(GL_PRIMITIVE_RESTART),
-    ROW(GL_PRIMITIVE_RESTART_FIXED_INDEX), ROW(GL_TEXTURE_CUBE_MAP_SEAMLESS), ROW(GL_CLIP_DISTANCE0),
-    ROW(GL_CLIP_DISTANCE1), ROW(GL_CLIP_DISTANCE2), ROW(GL_CLIP_DISTANCE3), ROW(GL_CLIP_DISTANCE4), ROW(GL_CLIP_DISTANCE5),
-    ROW(GL_CLIP_DISTANCE6), ROW(GL_CLIP_DISTANCE7), ROW(GL_DEBUG_OUTPUT), ROW(GL_DEBUG_OUTPUT_SYNCHRONOUS)};
+constexpr Row switches[] = {ROW(GL_DEPTH_TEST),
+                            ROW(GL_DEPTH_CLAMP),
+                            ROW(GL_STENCIL_TEST),
+                            ROW(GL_RASTERIZER_DISCARD),
+                            ROW(GL_CULL_FACE),
+                            ROW(GL_POLYGON_OFFSET_FILL),
+                            ROW(GL_POLYGON_OFFSET_LINE),
+                            ROW(GL_POLYGON_OFFSET_POINT),
+                            ROW(GL_POLYGON_SMOOTH),
+                            ROW(GL_LINE_SMOOTH),
+                            ROW(GL_PROGRAM_POINT_SIZE),
+                            ROW(GL_MULTISAMPLE),
+                            ROW(GL_SAMPLE_ALPHA_TO_COVERAGE),
+                            ROW(GL_SAMPLE_ALPHA_TO_ONE),
+                            ROW(GL_SAMPLE_COVERAGE),
+                            ROW(GL_SAMPLE_MASK),
+                            ROW(GL_SAMPLE_SHADING),
+                            ROW(GL_COLOR_LOGIC_OP),
+                            ROW(GL_DITHER),
+                            ROW(GL_FRAMEBUFFER_SRGB),
+                            ROW(GL_PRIMITIVE_RESTART),
+                            ROW(GL_PRIMITIVE_RESTART_FIXED_INDEX),
+                            ROW(GL_TEXTURE_CUBE_MAP_SEAMLESS),
+                            ROW(GL_CLIP_DISTANCE0),
+                            ROW(GL_CLIP_DISTANCE1),
+                            ROW(GL_CLIP_DISTANCE2),
+                            ROW(GL_CLIP_DISTANCE3),
+                            ROW(GL_CLIP_DISTANCE4),
+                            ROW(GL_CLIP_DISTANCE5),
+                            ROW(GL_CLIP_DISTANCE6),
+                            ROW(GL_CLIP_DISTANCE7),
+                            ROW(GL_DEBUG_OUTPUT),
+                            ROW(GL_DEBUG_OUTPUT_SYNCHRONOUS)};
 
 // Numbers and names are read as doubles, which hold every int.
-constexpr Row values[] = {
-    ROW(GL_CURRENT_PROGRAM), ROW(GL_PROGRAM_PIPELINE_BINDING), ROW(GL_VERTEX_ARRAY_BINDING), ROW(GL_ARRAY_BUFFER_BINDING),
-    ROW(GL_ELEMENT_ARRAY_BUFFER_BINDING), ROW(GL_COPY_READ_BUFFER_BINDING), ROW(GL_COPY_WRITE_BUFFER_BINDING),
-    ROW(GL_DRAW_INDIRECT_BUFFER_BINDING), ROW(GL_DISPATCH_INDIRECT_BUFFER_BINDING), ROW(GL_PIXEL_PACK_BUFFER_BINDING),
-    ROW(GL_PIXEL_UNPACK_BUFFER_BINDING), ROW(GL_QUERY_BUFFER_BINDING), ROW(GL_TEXTURE_BUFFER_BINDING),
-    ROW(GL_UNIFORM_BUFFER_BINDING), ROW(GL_SHADER_STORAGE_BUFFER_BINDING), ROW(GL_ATOMIC_COUNTER_BUFFER_BINDING),
-    ROW(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING), ROW(GL_DRAW_FRAMEBUFFER_BINDING), ROW(GL_READ_FRAMEBUFFER_BINDING),
-    ROW(GL_RENDERBUFFER_BINDING), ROW(GL_ACTIVE_TEXTURE), ROWS(GL_VIEWPORT, 4), ROWS(GL_SCISSOR_BOX, 4),
-    ROW(GL_CLIP_ORIGIN), ROW(GL_CLIP_DEPTH_MODE), ROW(GL_CULL_FACE_MODE), ROW(GL_FRONT_FACE), ROWS(GL_POLYGON_MODE, 1),
-    ROW(GL_DEPTH_FUNC), ROW(GL_DEPTH_WRITEMASK), ROW(GL_STENCIL_FUNC), ROW(GL_STENCIL_REF), ROW(GL_STENCIL_VALUE_MASK),
-    ROW(GL_STENCIL_FAIL), ROW(GL_STENCIL_PASS_DEPTH_FAIL), ROW(GL_STENCIL_PASS_DEPTH_PASS), ROW(GL_STENCIL_WRITEMASK),
-    ROW(GL_STENCIL_BACK_FUNC), ROW(GL_STENCIL_BACK_REF), ROW(GL_STENCIL_BACK_VALUE_MASK), ROW(GL_STENCIL_BACK_FAIL),
-    ROW(GL_STENCIL_BACK_PASS_DEPTH_FAIL), ROW(GL_STENCIL_BACK_PASS_DEPTH_PASS), ROW(GL_STENCIL_BACK_WRITEMASK),
-    ROW(GL_STENCIL_CLEAR_VALUE), ROW(GL_LOGIC_OP_MODE), ROW(GL_PRIMITIVE_RESTART_INDEX), ROW(GL_PROVOKING_VERTEX),
-    ROW(GL_PATCH_VERTICES), ROW(GL_PACK_SWAP_BYTES), ROW(GL_PACK_LSB_FIRST), ROW(GL_PACK_ROW_LENGTH),
-    ROW(GL_PACK_IMAGE_HEIGHT), ROW(GL_PACK_SKIP_ROWS), ROW(GL_PACK_SKIP_PIXELS), ROW(GL_PACK_SKIP_IMAGES),
-    ROW(GL_PACK_ALIGNMENT), ROW(GL_UNPACK_SWAP_BYTES), ROW(GL_UNPACK_LSB_FIRST), ROW(GL_UNPACK_ROW_LENGTH),
-    ROW(GL_UNPACK_IMAGE_HEIGHT), ROW(GL_UNPACK_SKIP_ROWS), ROW(GL_UNPACK_SKIP_PIXELS), ROW(GL_UNPACK_SKIP_IMAGES),
-    ROW(GL_UNPACK_ALIGNMENT), ROW(GL_DRAW_BUFFER0), ROW(GL_READ_BUFFER), ROW(GL_SAMPLE_COVERAGE_INVERT),
-    ROW(GL_CLAMP_READ_COLOR), ROW(GL_LINE_SMOOTH_HINT), ROW(GL_POLYGON_SMOOTH_HINT), ROW(GL_TEXTURE_COMPRESSION_HINT),
-    ROW(GL_FRAGMENT_SHADER_DERIVATIVE_HINT), ROW(GL_POINT_SPRITE_COORD_ORIGIN),
-    ROW(GL_TRANSFORM_FEEDBACK_BINDING), ROWS(GL_DEPTH_RANGE, 2), ROWS(GL_BLEND_COLOR, 4), ROWS(GL_COLOR_CLEAR_VALUE, 4),
-    ROW(GL_DEPTH_CLEAR_VALUE),
-    ROW(GL_LINE_WIDTH), ROW(GL_POINT_SIZE), ROW(GL_POINT_FADE_THRESHOLD_SIZE), ROW(GL_POLYGON_OFFSET_FACTOR),
-    ROW(GL_POLYGON_OFFSET_UNITS), ROW(GL_SAMPLE_COVERAGE_VALUE), ROW(GL_MIN_SAMPLE_SHADING_VALUE),
-    ROWS(GL_PATCH_DEFAULT_INNER_LEVEL, 2), ROWS(GL_PATCH_DEFAULT_OUTER_LEVEL, 4)};
+constexpr Row values[] = {ROW(GL_CURRENT_PROGRAM),
+                          ROW(GL_PROGRAM_PIPELINE_BINDING),
+                          ROW(GL_VERTEX_ARRAY_BINDING),
+                          ROW(GL_ARRAY_BUFFER_BINDING),
+                          ROW(GL_ELEMENT_ARRAY_BUFFER_BINDING),
+                          ROW(GL_COPY_READ_BUFFER_BINDING),
+                          ROW(GL_COPY_WRITE_BUFFER_BINDING),
+                          ROW(GL_DRAW_INDIRECT_BUFFER_BINDING),
+                          ROW(GL_DISPATCH_INDIRECT_BUFFER_BINDING),
+                          ROW(GL_PIXEL_PACK_BUFFER_BINDING),
+                          ROW(GL_PIXEL_UNPACK_BUFFER_BINDING),
+                          ROW(GL_QUERY_BUFFER_BINDING),
+                          ROW(GL_TEXTURE_BUFFER_BINDING),
+                          ROW(GL_UNIFORM_BUFFER_BINDING),
+                          ROW(GL_SHADER_STORAGE_BUFFER_BINDING),
+                          ROW(GL_ATOMIC_COUNTER_BUFFER_BINDING),
+                          ROW(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING),
+                          ROW(GL_DRAW_FRAMEBUFFER_BINDING),
+                          ROW(GL_READ_FRAMEBUFFER_BINDING),
+                          ROW(GL_RENDERBUFFER_BINDING),
+                          ROW(GL_ACTIVE_TEXTURE),
+                          ROWS(GL_VIEWPORT, 4),
+                          ROWS(GL_SCISSOR_BOX, 4),
+                          ROW(GL_CLIP_ORIGIN),
+                          ROW(GL_CLIP_DEPTH_MODE),
+                          ROW(GL_CULL_FACE_MODE),
+                          ROW(GL_FRONT_FACE),
+                          ROWS(GL_POLYGON_MODE, 1),
+                          ROW(GL_DEPTH_FUNC),
+                          ROW(GL_DEPTH_WRITEMASK),
+                          ROW(GL_STENCIL_FUNC),
+                          ROW(GL_STENCIL_REF),
+                          ROW(GL_STENCIL_VALUE_MASK),
+                          ROW(GL_STENCIL_FAIL),
+                          ROW(GL_STENCIL_PASS_DEPTH_FAIL),
+                          ROW(GL_STENCIL_PASS_DEPTH_PASS),
+                          ROW(GL_STENCIL_WRITEMASK),
+                          ROW(GL_STENCIL_BACK_FUNC),
+                          ROW(GL_STENCIL_BACK_REF),
+                          ROW(GL_STENCIL_BACK_VALUE_MASK),
+                          ROW(GL_STENCIL_BACK_FAIL),
+                          ROW(GL_STENCIL_BACK_PASS_DEPTH_FAIL),
+                          ROW(GL_STENCIL_BACK_PASS_DEPTH_PASS),
+                          ROW(GL_STENCIL_BACK_WRITEMASK),
+                          ROW(GL_STENCIL_CLEAR_VALUE),
+                          ROW(GL_LOGIC_OP_MODE),
+                          ROW(GL_PRIMITIVE_RESTART_INDEX),
+                          ROW(GL_PROVOKING_VERTEX),
+                          ROW(GL_PATCH_VERTICES),
+                          ROW(GL_PACK_SWAP_BYTES),
+                          ROW(GL_PACK_LSB_FIRST),
+                          ROW(GL_PACK_ROW_LENGTH),
+                          ROW(GL_PACK_IMAGE_HEIGHT),
+                          ROW(GL_PACK_SKIP_ROWS),
+                          ROW(GL_PACK_SKIP_PIXELS),
+                          ROW(GL_PACK_SKIP_IMAGES),
+                          ROW(GL_PACK_ALIGNMENT),
+                          ROW(GL_UNPACK_SWAP_BYTES),
+                          ROW(GL_UNPACK_LSB_FIRST),
+                          ROW(GL_UNPACK_ROW_LENGTH),
+                          ROW(GL_UNPACK_IMAGE_HEIGHT),
+                          ROW(GL_UNPACK_SKIP_ROWS),
+                          ROW(GL_UNPACK_SKIP_PIXELS),
+                          ROW(GL_UNPACK_SKIP_IMAGES),
+                          ROW(GL_UNPACK_ALIGNMENT),
+                          ROW(GL_DRAW_BUFFER0),
+                          ROW(GL_READ_BUFFER),
+                          ROW(GL_SAMPLE_COVERAGE_INVERT),
+                          ROW(GL_CLAMP_READ_COLOR),
+                          ROW(GL_LINE_SMOOTH_HINT),
+                          ROW(GL_POLYGON_SMOOTH_HINT),
+                          ROW(GL_TEXTURE_COMPRESSION_HINT),
+                          ROW(GL_FRAGMENT_SHADER_DERIVATIVE_HINT),
+                          ROW(GL_POINT_SPRITE_COORD_ORIGIN),
+                          ROW(GL_TRANSFORM_FEEDBACK_BINDING),
+                          ROWS(GL_DEPTH_RANGE, 2),
+                          ROWS(GL_BLEND_COLOR, 4),
+                          ROWS(GL_COLOR_CLEAR_VALUE, 4),
+                          ROW(GL_DEPTH_CLEAR_VALUE),
+                          ROW(GL_LINE_WIDTH),
+                          ROW(GL_POINT_SIZE),
+                          ROW(GL_POINT_FADE_THRESHOLD_SIZE),
+                          ROW(GL_POLYGON_OFFSET_FACTOR),
+                          ROW(GL_POLYGON_OFFSET_UNITS),
+                          ROW(GL_SAMPLE_COVERAGE_VALUE),
+                          ROW(GL_MIN_SAMPLE_SHADING_VALUE),
+                          ROWS(GL_PATCH_DEFAULT_INNER_LEVEL, 2),
+                          ROWS(GL_PATCH_DEFAULT_OUTER_LEVEL, 4)};
 
-constexpr Row textureTargets[] = {
-    ROW(GL_TEXTURE_BINDING_1D), ROW(GL_TEXTURE_BINDING_2D), ROW(GL_TEXTURE_BINDING_3D), ROW(GL_TEXTURE_BINDING_1D_ARRAY),
-    ROW(GL_TEXTURE_BINDING_2D_ARRAY), ROW(GL_TEXTURE_BINDING_RECTANGLE), ROW(GL_TEXTURE_BINDING_CUBE_MAP),
-    ROW(GL_TEXTURE_BINDING_CUBE_MAP_ARRAY), ROW(GL_TEXTURE_BINDING_BUFFER), ROW(GL_TEXTURE_BINDING_2D_MULTISAMPLE),
-    ROW(GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY), ROW(GL_SAMPLER_BINDING)};
+constexpr Row textureTargets[] = {ROW(GL_TEXTURE_BINDING_1D),
+                                  ROW(GL_TEXTURE_BINDING_2D),
+                                  ROW(GL_TEXTURE_BINDING_3D),
+                                  ROW(GL_TEXTURE_BINDING_1D_ARRAY),
+                                  ROW(GL_TEXTURE_BINDING_2D_ARRAY),
+                                  ROW(GL_TEXTURE_BINDING_RECTANGLE),
+                                  ROW(GL_TEXTURE_BINDING_CUBE_MAP),
+                                  ROW(GL_TEXTURE_BINDING_CUBE_MAP_ARRAY),
+                                  ROW(GL_TEXTURE_BINDING_BUFFER),
+                                  ROW(GL_TEXTURE_BINDING_2D_MULTISAMPLE),
+                                  ROW(GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY),
+                                  ROW(GL_SAMPLER_BINDING)};
 
 // State per draw buffer.
-constexpr Row blending[] = {ROW(GL_BLEND_SRC_RGB), ROW(GL_BLEND_DST_RGB), ROW(GL_BLEND_SRC_ALPHA), ROW(GL_BLEND_DST_ALPHA),
-                            ROW(GL_BLEND_EQUATION_RGB), ROW(GL_BLEND_EQUATION_ALPHA)};
+constexpr Row blending[] = {ROW(GL_BLEND_SRC_RGB),   ROW(GL_BLEND_DST_RGB),      ROW(GL_BLEND_SRC_ALPHA),
+                            ROW(GL_BLEND_DST_ALPHA), ROW(GL_BLEND_EQUATION_RGB), ROW(GL_BLEND_EQUATION_ALPHA)};
 
 struct Points {
     GLenum limit, binding, start, size;
@@ -82,8 +177,9 @@ constexpr Points bufferPoints[] = {
 
 constexpr GLint textureUnitsOfSdk = 5;
 
-constexpr Row imageMembers[] = {ROW(GL_IMAGE_BINDING_NAME),  ROW(GL_IMAGE_BINDING_LEVEL),  ROW(GL_IMAGE_BINDING_LAYERED),
-                                ROW(GL_IMAGE_BINDING_LAYER), ROW(GL_IMAGE_BINDING_ACCESS), ROW(GL_IMAGE_BINDING_FORMAT)};
+constexpr Row imageMembers[] = {ROW(GL_IMAGE_BINDING_NAME),    ROW(GL_IMAGE_BINDING_LEVEL),
+                                ROW(GL_IMAGE_BINDING_LAYERED), ROW(GL_IMAGE_BINDING_LAYER),
+                                ROW(GL_IMAGE_BINDING_ACCESS),  ROW(GL_IMAGE_BINDING_FORMAT)};
 #undef ROW
 #undef ROWS
 
@@ -132,7 +228,8 @@ void readIndexed(State& state) {
             glGetIntegeri_v(points.binding, GLuint(i), &name);
             glGetInteger64i_v(points.start, GLuint(i), &start);
             glGetInteger64i_v(points.size, GLuint(i), &size);
-            state.push_back({points.text + std::to_string(i), {double(name), double(start), double(size)}, i < points.sdkBindings});
+            state.push_back(
+                {points.text + std::to_string(i), {double(name), double(start), double(size)}, i < points.sdkBindings});
         }
     for (GLint i = 0; i < integer(GL_MAX_IMAGE_UNITS); ++i)
         for (const Row& row : imageMembers) {
@@ -184,8 +281,8 @@ State readState() {
 void expectSameState(Test& test, const State& got, const State& expected, bool inCallback, const std::string& when) {
     for (size_t i = 0; i < got.size(); ++i)
         if (got[i].values != expected[i].values && !(inCallback && got[i].isBindingOfSdk))
-            test.check(false, got[i].name + " is " + textOf(got[i].values) + " in place of " + textOf(expected[i].values) +
-                                  " " + when + ".");
+            test.check(false, got[i].name + " is " + textOf(got[i].values) + " in place of " +
+                                  textOf(expected[i].values) + " " + when + ".");
 }
 
 SeparateOpenGl::SeparateOpenGl(Test& outer)

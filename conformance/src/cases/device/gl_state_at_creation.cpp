@@ -39,7 +39,8 @@ AgaaContext createContext(Test& test, UnusualContext& host, uint32_t policy, Log
     description.gl.statePolicy = policy;
     description.gl.pushState = description.gl.popState = keepState;
     AgaaContext context = nullptr;
-    test.requireOk(host.device->createContext(test.sdk, AGAA_HEADER_VERSION, description, &context), "agaaGlCreateContext");
+    test.requireOk(host.device->createContext(test.sdk, AGAA_HEADER_VERSION, description, &context),
+                   "agaaGlCreateContext");
     return context;
 }
 
@@ -73,7 +74,8 @@ void forEachView(Test& test, const RunOnView& run) {
     UnusualContext host(test);
     LogRecorder log;
     const AgaaContext context = createContext(test, host, AGAA_GL_STATE_RESTORE, log);
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
+    for (const char* technique :
+         {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
         ViewParts parts(test.sdk, host.device.get());
         parts.setTechnique(technique, 4);
         parts.config.flags |= AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK;
@@ -115,7 +117,8 @@ void testVariants(Test& test) {
         test.result(test.sdk.agaaPrepareVariants(view, 1, &fewer), AGAA_OK, "agaaPrepareVariants of " + name);
         host.expectUnchanged("agaaPrepareVariants of " + name);
         fewer.flags = UINT64_C(1) << 62;
-        test.result(test.sdk.agaaPrepareVariants(view, 1, &fewer), AGAA_ERROR_OUT_OF_RANGE, "agaaPrepareVariants of " + name);
+        test.result(test.sdk.agaaPrepareVariants(view, 1, &fewer), AGAA_ERROR_OUT_OF_RANGE,
+                    "agaaPrepareVariants of " + name);
         host.expectUnchanged("agaaPrepareVariants that fails");
         test.sdk.agaaDestroyView(view);
     });

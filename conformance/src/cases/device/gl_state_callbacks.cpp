@@ -30,8 +30,8 @@ void restoreInitial() {
 
 struct Callbacks {
     Device& device;
-    std::string order = {};   // a letter per call: + pushState, - popState, d draw callback
-    uint32_t failAt = 0; // index of the failing call of pushState and popState from now on; 0: none
+    std::string order = {}; // a letter per call: + pushState, - popState, d draw callback
+    uint32_t failAt = 0;    // index of the failing call of pushState and popState from now on; 0: none
     AgaaResult failure = AGAA_ERROR_CALLBACK;
 
     AgaaResult result() { return failAt && --failAt == 0 ? failure : AgaaResult(AGAA_OK); }
@@ -99,7 +99,8 @@ void testFailures(Test& test, const std::string& technique, AgaaResult failure) 
     constexpr float untouched = 0.25f;
     Callbacks callbacks{test.device()};
     callbacks.failure = failure;
-    Rig rig(test, [&](ViewDescription& description) { setTechnique(description, technique, 4); }, callbacks.change());
+    Rig rig(
+        test, [&](ViewDescription& description) { setTechnique(description, technique, 4); }, callbacks.change());
     const Image image = rig.render();
     std::string calls; // calls without the draw callbacks
     for (const char call : promisedOrder(rig))

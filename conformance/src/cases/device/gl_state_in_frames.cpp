@@ -64,11 +64,13 @@ void testRestoredAfterFailure(Test& outer) {
         AgaaFrame frame = rig.nextFrame();
         const std::string what = "a frame whose callback fails at call " + std::to_string(call);
         const AgaaResult result = recordUnusual(rig, frame, call, what);
-        separate.test.check(result == AGAA_ERROR_CALLBACK || call > rig.statistics().geometryPasses, what + " succeeds.");
+        separate.test.check(result == AGAA_ERROR_CALLBACK || call > rig.statistics().geometryPasses,
+                            what + " succeeds.");
     }
     AgaaFrame refused = rig.nextFrame();
     refused.ambient[0] = -1;
-    separate.test.result(recordUnusual(rig, refused, 0, "a frame that is refused"), AGAA_ERROR_OUT_OF_RANGE, rig.function());
+    separate.test.result(recordUnusual(rig, refused, 0, "a frame that is refused"), AGAA_ERROR_OUT_OF_RANGE,
+                         rig.function());
     rig.expectNoMessages("frames that failed in unusual state");
     rig.context.log.lines.clear();
     expectNextFrame(rig, expected, "frames that failed in unusual state");

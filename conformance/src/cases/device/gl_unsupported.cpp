@@ -38,7 +38,8 @@ const std::vector<OtherContext>& otherContexts() {
         {"a getProcAddr that finds no function", "", "", "*", "", false},
         {"a getProcAddr that does not find glGetString", "", "", "glGetString", "", false},
         {"a getProcAddr that does not find glCreateSamplers", "", "", "glCreateSamplers", "glCreateSamplers", false},
-        {"a getProcAddr that does not find glDispatchCompute", "", "", "glDispatchCompute", "glDispatchCompute", false}};
+        {"a getProcAddr that does not find glDispatchCompute", "", "", "glDispatchCompute", "glDispatchCompute",
+         false}};
     return all;
 }
 
@@ -107,8 +108,8 @@ void testIncomplete(Test& test, bool isResize) {
     gl.isComplete = true;
     const std::string what = function + " where framebuffers are not complete";
     expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, rig.context.log, function, what);
-    test.check(gl.objects == before, what + ": there are " + objectsText(gl.objects) + " where there were " +
-                                         objectsText(before) + ".");
+    test.check(gl.objects == before,
+               what + ": there are " + objectsText(gl.objects) + " where there were " + objectsText(before) + ".");
     expectNextFrame(rig, image, what);
 }
 

@@ -38,11 +38,10 @@ void bindBuffers() {
                                 GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER, GL_PIXEL_PACK_BUFFER,
                                 GL_PIXEL_UNPACK_BUFFER, GL_QUERY_BUFFER, GL_TEXTURE_BUFFER})
         glBindBuffer(target, buffer());
-    const std::pair<GLenum, GLenum> points[] = {
-        {GL_UNIFORM_BUFFER, GL_MAX_UNIFORM_BUFFER_BINDINGS},
-        {GL_SHADER_STORAGE_BUFFER, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS},
-        {GL_ATOMIC_COUNTER_BUFFER, GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS},
-        {GL_TRANSFORM_FEEDBACK_BUFFER, GL_MAX_TRANSFORM_FEEDBACK_BUFFERS}};
+    const std::pair<GLenum, GLenum> points[] = {{GL_UNIFORM_BUFFER, GL_MAX_UNIFORM_BUFFER_BINDINGS},
+                                                {GL_SHADER_STORAGE_BUFFER, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS},
+                                                {GL_ATOMIC_COUNTER_BUFFER, GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS},
+                                                {GL_TRANSFORM_FEEDBACK_BUFFER, GL_MAX_TRANSFORM_FEEDBACK_BUFFERS}};
     for (const auto& [target, limit] : points) {
         for (GLint i = 0; i < integer(limit); ++i)
             glBindBufferRange(target, GLuint(i), buffer(), 256, 512);
@@ -53,9 +52,10 @@ void bindBuffers() {
 void bindTextures() {
     const GLint units = std::min(integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS), 64);
     for (GLint i = 0; i < units; ++i) {
-        for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_1D_ARRAY, GL_TEXTURE_2D_ARRAY,
-                                    GL_TEXTURE_RECTANGLE, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_ARRAY, GL_TEXTURE_BUFFER,
-                                    GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_2D_MULTISAMPLE_ARRAY}) {
+        for (const GLenum target :
+             {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_1D_ARRAY, GL_TEXTURE_2D_ARRAY,
+              GL_TEXTURE_RECTANGLE, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_ARRAY, GL_TEXTURE_BUFFER,
+              GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_2D_MULTISAMPLE_ARRAY}) {
             GLuint name = 0;
             glCreateTextures(target, 1, &name);
             glBindTextureUnit(GLuint(i), name);
@@ -85,12 +85,29 @@ GLuint framebuffer() {
 }
 
 void setFragments() {
-    for (const GLenum name : {GL_DEPTH_TEST, GL_DEPTH_CLAMP, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD, GL_CULL_FACE,
-                              GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT, GL_POLYGON_SMOOTH,
-                              GL_LINE_SMOOTH, GL_PROGRAM_POINT_SIZE, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE,
-                              GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_SAMPLE_SHADING, GL_COLOR_LOGIC_OP, GL_FRAMEBUFFER_SRGB,
-                              GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_TEXTURE_CUBE_MAP_SEAMLESS,
-                              GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE3})
+    for (const GLenum name : {GL_DEPTH_TEST,
+                              GL_DEPTH_CLAMP,
+                              GL_STENCIL_TEST,
+                              GL_RASTERIZER_DISCARD,
+                              GL_CULL_FACE,
+                              GL_POLYGON_OFFSET_FILL,
+                              GL_POLYGON_OFFSET_LINE,
+                              GL_POLYGON_OFFSET_POINT,
+                              GL_POLYGON_SMOOTH,
+                              GL_LINE_SMOOTH,
+                              GL_PROGRAM_POINT_SIZE,
+                              GL_SAMPLE_ALPHA_TO_COVERAGE,
+                              GL_SAMPLE_ALPHA_TO_ONE,
+                              GL_SAMPLE_COVERAGE,
+                              GL_SAMPLE_MASK,
+                              GL_SAMPLE_SHADING,
+                              GL_COLOR_LOGIC_OP,
+                              GL_FRAMEBUFFER_SRGB,
+                              GL_PRIMITIVE_RESTART,
+                              GL_PRIMITIVE_RESTART_FIXED_INDEX,
+                              GL_TEXTURE_CUBE_MAP_SEAMLESS,
+                              GL_CLIP_DISTANCE0,
+                              GL_CLIP_DISTANCE3})
         glEnable(name);
     glDisable(GL_MULTISAMPLE);
     glDisable(GL_DITHER);
@@ -153,8 +170,8 @@ void setPixels() {
         glPixelStorei(isPack ? GL_PACK_SKIP_IMAGES : GL_UNPACK_SKIP_IMAGES, 1);
         glPixelStorei(isPack ? GL_PACK_ALIGNMENT : GL_UNPACK_ALIGNMENT, 1);
     }
-    for (const GLenum hint : {GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_TEXTURE_COMPRESSION_HINT,
-                              GL_FRAGMENT_SHADER_DERIVATIVE_HINT})
+    for (const GLenum hint :
+         {GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_TEXTURE_COMPRESSION_HINT, GL_FRAGMENT_SHADER_DERIVATIVE_HINT})
         glHint(hint, GL_NICEST);
     glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
 }
@@ -184,10 +201,10 @@ void makeStateUnusual() {
 
 void setHarmlessState() {
     // Fragment state; the host sets all other state for each pass.
-    for (const GLenum name : {GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH,
-                              GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
-                              GL_COLOR_LOGIC_OP, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
-                              GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE3})
+    for (const GLenum name :
+         {GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH, GL_SAMPLE_ALPHA_TO_COVERAGE,
+          GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_COLOR_LOGIC_OP, GL_FRAMEBUFFER_SRGB,
+          GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE3})
         glDisable(name);
     glDepthRange(0, 1);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -197,10 +214,10 @@ void setHarmlessState() {
     // State of the pixels that the host reads and clears.
     for (const GLenum target : {GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER})
         glBindBuffer(target, 0);
-    for (const GLenum name : {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_IMAGE_HEIGHT,
-                              GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES, GL_UNPACK_SWAP_BYTES,
-                              GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS,
-                              GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES})
+    for (const GLenum name :
+         {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_ROWS,
+          GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES, GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH,
+          GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES})
         glPixelStorei(name, 0);
 }
 

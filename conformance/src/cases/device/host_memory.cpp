@@ -23,7 +23,8 @@ struct HostMemory {
             self.errors.push_back("asks for an alignment of " + std::to_string(alignment) + ".");
         if (self.calls++ == self.failing)
             return nullptr;
-        void* memory = std::aligned_alloc(std::max(alignment, sizeof(void*)), (size + alignment - 1) / alignment * alignment);
+        void* memory =
+            std::aligned_alloc(std::max(alignment, sizeof(void*)), (size + alignment - 1) / alignment * alignment);
         self.blocks[memory] = size;
         return memory;
     }
@@ -43,7 +44,8 @@ struct HostMemory {
 void checkMemory(Test& test, const HostMemory& memory, const std::string& what) {
     for (const std::string& error : memory.errors)
         test.check(false, what + ": the library " + error);
-    test.check(memory.blocks.empty(), what + ": " + std::to_string(memory.blocks.size()) + " allocations are not freed.");
+    test.check(memory.blocks.empty(),
+               what + ": " + std::to_string(memory.blocks.size()) + " allocations are not freed.");
 }
 
 std::string createFunction(Test& test, const char* what) {

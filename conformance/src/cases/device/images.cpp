@@ -35,9 +35,7 @@ Scene wall(const Rig& rig, const float* normal = nullptr) {
     return scene;
 }
 
-Area whole(const Rig& rig) {
-    return {0, 0, rig.description().desc.width, rig.description().desc.height};
-}
+Area whole(const Rig& rig) { return {0, 0, rig.description().desc.width, rig.description().desc.height}; }
 
 // Returns the middle of a pixel of the wall in shading space.
 void placeOf(const Rig& rig, uint32_t x, uint32_t y, float* place) {
@@ -80,7 +78,8 @@ void expectLightAt(Rig& rig, const Image& image, uint32_t x, uint32_t y, const I
             greatest = std::max(greatest, irradiance(place) / pi);
         }
     const Rgb middle = albedo * (0.5f * (least + greatest));
-    expectColor(rig.test, image, whole(rig).x1, {x, y, x + 1, y + 1}, middle.v, 0.003f + 0.5f * (greatest - least), what);
+    expectColor(rig.test, image, whole(rig).x1, {x, y, x + 1, y + 1}, middle.v, 0.003f + 0.5f * (greatest - least),
+                what);
 }
 
 void expectLight(Rig& rig, const Image& image, const Irradiance& irradiance, const std::string& what) {
@@ -215,7 +214,8 @@ void expectShadows(Rig& rig) {
             named(rig, std::string("a wall ") + row.what));
         light.shadowMap = AGAA_NO_SHADOW;
         expectLight(
-            rig, renderLight(rig, light, &shadow), [&](const float*) { return 4.0f; }, named(rig, "a light without a shadow"));
+            rig, renderLight(rig, light, &shadow), [&](const float*) { return 4.0f; },
+            named(rig, "a light without a shadow"));
         light.shadowMap = 0;
     }
     rig.device().setShadowDepth(1.0f);
@@ -237,7 +237,8 @@ void testLights(Test& test, const char* technique) {
 } // namespace
 
 void addImageCases(Suite& suite) {
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique :
+         {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
         suite.both("general/images_of_lights/" + std::string(technique),
                    [technique](Test& test) { testLights(test, technique); });
 }

@@ -24,7 +24,7 @@ public:
     // that can fail count.
     void failAt(uint32_t nth, int64_t error);
     const std::string& failed() const { return failed_; } // name of the function that failed; empty if none did
-    std::vector<std::string> called; // functions that can fail, in call order
+    std::vector<std::string> called;                      // functions that can fail, in call order
 
     // Returns the number of live objects by kind. Kinds without live objects are not listed.
     std::map<std::string, int64_t> objects;

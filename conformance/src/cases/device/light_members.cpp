@@ -106,12 +106,13 @@ void addCones(Suite& suite) {
                            notNumbers({below(-1), above(0.5f), 1})});
     std::vector<FrameMember> others;
     for (const uint32_t type : {AGAA_LIGHT_DIRECTIONAL, AGAA_LIGHT_POINT})
-        others.push_back({"",
-                          "the cosines of a light that has no cone (type " + std::to_string(type) + ")",
-                          "",
-                          setOfLight([](AgaaLight& light, double v) { light.cosInner = light.cosOuter = float(v); }, type),
-                          notNumbers({-2, 2}),
-                          {}});
+        others.push_back(
+            {"",
+             "the cosines of a light that has no cone (type " + std::to_string(type) + ")",
+             "",
+             setOfLight([](AgaaLight& light, double v) { light.cosInner = light.cosOuter = float(v); }, type),
+             notNumbers({-2, 2}),
+             {}});
     addFrameMembers(suite, "AgaaLight.cosInner/range/no_cone", others);
 }
 

@@ -27,11 +27,12 @@ struct Handles {
 
 void testContextCaps(Test& test) {
     Handles other(test);
-    const std::string function = test.device().backend() == Backend::Vulkan ? "agaaVkGetContextCaps" : "agaaGlGetContextCaps";
+    const std::string function =
+        test.device().backend() == Backend::Vulkan ? "agaaVkGetContextCaps" : "agaaGlGetContextCaps";
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     caps.maxImageSize = 77;
-    expectRefused(test, test.device().getContextCaps(test.sdk, other.context->get(), &caps), invalid, other.context->log, function,
-                  function + " with a context of the other API", "context");
+    expectRefused(test, test.device().getContextCaps(test.sdk, other.context->get(), &caps), invalid,
+                  other.context->log, function, function + " with a context of the other API", "context");
     test.check(caps.maxImageSize == 77, function + " with a context of the other API changes outCaps.");
 }
 

@@ -38,11 +38,12 @@ void forTechniques(Test& test, const VisitPasses& visit) {
         for (const std::string& technique : techniques(test)) {
             const auto description = std::make_shared<ViewDescription>(&test.device());
             setTechnique(*description, technique, 4);
-            visitView(test, context, *description, [&](const ViewDescription&, const PassList& list, const std::string& name) {
-                entries.push_back({name, description, list});
-                for (AgaaDrawPass& pass : entries.back().list.passes)
-                    pass.name = pass.name ? "" : nullptr; // the view owns it
-            });
+            visitView(test, context, *description,
+                      [&](const ViewDescription&, const PassList& list, const std::string& name) {
+                          entries.push_back({name, description, list});
+                          for (AgaaDrawPass& pass : entries.back().list.passes)
+                              pass.name = pass.name ? "" : nullptr; // the view owns it
+                      });
         }
     }
     for (const Entry& entry : entries)

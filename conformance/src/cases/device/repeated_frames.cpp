@@ -33,8 +33,8 @@ Scene busyScene(uint32_t width, uint32_t height) {
         surface.roughness = 0.01f + 0.5f * random();
         surface.isMasked = i % 3 == 0;
         const float x = float(width) * random(), y = float(height) * random();
-        addRectangle(scene, width, height, x, y, x + 0.3f + 6 * random(), y + 0.3f + 5 * random(),
-                     1 + 12 * random(), surface);
+        addRectangle(scene, width, height, x, y, x + 0.3f + 6 * random(), y + 0.3f + 5 * random(), 1 + 12 * random(),
+                     surface);
     }
     return scene;
 }
@@ -73,9 +73,7 @@ Image renderLit(Rig& rig) {
     return rig.render([](AgaaFrame& frame) { lights().use(frame); });
 }
 
-std::string named(const std::string& what, const std::string& technique) {
-    return what + " of \"" + technique + "\"";
-}
+std::string named(const std::string& what, const std::string& technique) { return what + " of \"" + technique + "\""; }
 
 void expectSameCounters(Rig& rig, const AgaaCounters& expected, const std::string& what) {
     const AgaaCounters now = rig.counters();
@@ -172,7 +170,8 @@ void testFacts(Test& test, const char* technique) {
     rig.expectNoErrors("agaaPrepareVariants");
     const uint32_t compiled = rig.statistics().compiledPipelines;
     // The variant is a separate program, which may round differently.
-    expectAlike(test, renderFewer(), expected, 2e-5f, named("a frame of fewer facts with a variant of its own,", technique));
+    expectAlike(test, renderFewer(), expected, 2e-5f,
+                named("a frame of fewer facts with a variant of its own,", technique));
     const uint64_t ran = rig.statistics().variantFlags;
     test.check(ran == fewer.flags, "AgaaFrameStatistics::variantFlags are not those of the variant that was prepared.");
     expectSame(test, renderLit(rig), all, 32, named("a frame of all facts after one of fewer,", technique));
@@ -181,13 +180,15 @@ void testFacts(Test& test, const char* technique) {
     const Image unlit = rig.render();
     AgaaFrame frame = rig.nextFrame();
     frame.facts = &fewer;
-    expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame of more facts than its view", "AgaaFrame::facts"}, unlit);
+    expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame of more facts than its view", "AgaaFrame::facts"},
+                       unlit);
 }
 
 } // namespace
 
 void addRepeatedFrameCases(Suite& suite) {
-    const std::vector<const char*> tested = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+    const std::vector<const char*> tested = {"single", "fxaa", "msaa", "ssaa",    "simple_complex",
+                                             "sbaa",   "agaa", "dcaa", "adaptive"};
     for (const char* technique : tested)
         suite.both("general/repeated_frames_are_equal/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });

@@ -13,7 +13,9 @@ namespace {
 
 constexpr const char* resize = "agaaResizeView";
 
-template <class T> std::string bytesOf(const T& value) { return std::string(reinterpret_cast<const char*>(&value), sizeof value); }
+template <class T> std::string bytesOf(const T& value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+}
 
 // The draw passes and the depth surface of a view, with handles.
 template <class NativePass, class NativeSurface>
@@ -62,8 +64,8 @@ void expectRefusals(Test& test, const std::vector<Size>& sizes, AgaaResult expec
     const std::string before = viewBytes(test, rig.view.get());
     for (const Size& size : sizes) {
         const std::string what = callText(size);
-        expectRefused(test, test.sdk.agaaResizeView(rig.view.get(), size.width, size.height), expected, rig.context.log, resize,
-                      what, words);
+        expectRefused(test, test.sdk.agaaResizeView(rig.view.get(), size.width, size.height), expected, rig.context.log,
+                      resize, what, words);
         test.check(viewBytes(test, rig.view.get()) == before, what + " fails and changes draw passes or surfaces.");
         expectNextFrame(rig, image, what);
     }
@@ -73,7 +75,8 @@ void testTooLarge(Test& test) {
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     {
         ScopedContext context(test);
-        test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "reading the capabilities of the context");
+        test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps),
+                       "reading the capabilities of the context");
     }
     const uint32_t most = caps.maxImageSize;
     expectRefusals(test, {{most + 1, 24}, {32, most + 1}, {0xFFFFFFFF, 1}, {1, 0xFFFFFFFF}, {0xFFFFFFFF, 0xFFFFFFFF}},
@@ -171,7 +174,8 @@ struct CountedMemory {
         auto& self = *static_cast<CountedMemory*>(user);
         if (self.failAt && --self.failAt == 0)
             return nullptr;
-        void* memory = std::aligned_alloc(std::max(alignment, sizeof(void*)), (size + alignment - 1) / alignment * alignment);
+        void* memory =
+            std::aligned_alloc(std::max(alignment, sizeof(void*)), (size + alignment - 1) / alignment * alignment);
         self.blocks[memory] = size;
         return memory;
     }
@@ -216,7 +220,8 @@ void addResizeCases(Suite& suite) {
         expectRefusals(test, {{0, 24}, {32, 0}, {0, 0}, {0, 0xFFFFFFFF}}, AGAA_ERROR_OUT_OF_RANGE, "");
     });
     suite.both("agaaResizeView/AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) {
-        test.result(test.sdk.agaaResizeView(nullptr, 32, 24), AGAA_ERROR_INVALID_ARGUMENT, "agaaResizeView with view = null");
+        test.result(test.sdk.agaaResizeView(nullptr, 32, 24), AGAA_ERROR_INVALID_ARGUMENT,
+                    "agaaResizeView with view = null");
     });
     suite.both("agaaResizeView/AGAA_ERROR_TOO_LARGE", testTooLarge);
     suite.both("agaaResizeView/AGAA_ERROR_OUT_OF_MEMORY", testHostMemory);

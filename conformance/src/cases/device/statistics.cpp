@@ -9,9 +9,7 @@ namespace agaa::conformance {
 namespace {
 
 // "single" has the fewest pipelines.
-void oneSample(ViewDescription& description) {
-    setTechnique(description, "single", 1);
-}
+void oneSample(ViewDescription& description) { setTechnique(description, "single", 1); }
 
 void checked(ViewDescription& description) {
     oneSample(description);
@@ -41,37 +39,16 @@ AgaaResult get(const Functions& sdk, AgaaView view, uint64_t completed, AgaaFram
 AgaaResult get(const Functions& sdk, AgaaView view, uint64_t completed, AgaaFactReport* out) {
     return sdk.agaaGetFactReport(view, completed, out);
 }
-template <class T>
-T empty();
-template <>
-AgaaFrameStatistics empty() {
-    return emptyStatistics();
-}
-template <>
-AgaaFrameValidation empty() {
-    return emptyValidation();
-}
-template <>
-AgaaFactReport empty() {
-    return emptyReport();
-}
-template <class T>
-const char* nameOf();
-template <>
-const char* nameOf<AgaaFrameStatistics>() {
-    return "agaaGetFrameStatistics";
-}
-template <>
-const char* nameOf<AgaaFrameValidation>() {
-    return "agaaValidateFrame";
-}
-template <>
-const char* nameOf<AgaaFactReport>() {
-    return "agaaGetFactReport";
-}
+template <class T> T empty();
+template <> AgaaFrameStatistics empty() { return emptyStatistics(); }
+template <> AgaaFrameValidation empty() { return emptyValidation(); }
+template <> AgaaFactReport empty() { return emptyReport(); }
+template <class T> const char* nameOf();
+template <> const char* nameOf<AgaaFrameStatistics>() { return "agaaGetFrameStatistics"; }
+template <> const char* nameOf<AgaaFrameValidation>() { return "agaaValidateFrame"; }
+template <> const char* nameOf<AgaaFactReport>() { return "agaaGetFactReport"; }
 
-template <class T>
-void expectCallRefused(Rig& rig, AgaaView view, T* out, AgaaResult code, const std::string& how) {
+template <class T> void expectCallRefused(Rig& rig, AgaaView view, T* out, AgaaResult code, const std::string& how) {
     T before{};
     if (out)
         std::memcpy(&before, out, sizeof before);
@@ -86,15 +63,13 @@ void expectCallRefused(Rig& rig, AgaaView view, T* out, AgaaResult code, const s
         rig.test.check(!std::memcmp(&before, out, sizeof before), what + " fails and changes the output.");
 }
 
-template <class T>
-void testNull(Rig& rig) {
+template <class T> void testNull(Rig& rig) {
     T out = empty<T>();
     expectCallRefused<T>(rig, nullptr, &out, AGAA_ERROR_INVALID_ARGUMENT, " with a null view");
     expectCallRefused<T>(rig, rig.view.get(), nullptr, AGAA_ERROR_INVALID_ARGUMENT, " with a null output");
 }
 
-template <class T>
-void testStruct(Rig& rig) {
+template <class T> void testStruct(Rig& rig) {
     T wrongType = empty<T>(), wrongSize = empty<T>();
     wrongType.sType = AGAA_STRUCTURE_TYPE_SURFACE;
     wrongSize.structSize = 8;
@@ -102,9 +77,7 @@ void testStruct(Rig& rig) {
     expectCallRefused<T>(rig, rig.view.get(), &wrongSize, AGAA_ERROR_STRUCT, " with structSize = 8");
 }
 
-void withoutCounters(ViewDescription& description) {
-    description.config.flags &= ~AGAA_CONFIG_COUNTERS;
-}
+void withoutCounters(ViewDescription& description) { description.config.flags &= ~AGAA_CONFIG_COUNTERS; }
 
 void testNoCounters(Test& test) {
     Rig rig(test, withoutCounters);
@@ -144,15 +117,15 @@ void testContradictions(Test& test) {
         test.check(report.frameIndex == rig.recorded, "the report is not that of the newest finished frame.");
         test.check(report.inspected > 0, "no material was inspected.");
         const uint64_t shaded = report.sufficient & (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED);
-        test.check((report.contradicted & (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED)) == (shaded & ~flags),
+        test.check((report.contradicted & (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED)) ==
+                       (shaded & ~flags),
                    "the contradicted facts are not those that the frame calls for and the view left out.");
         test.check(rig.context.log.lines.size() == (report.contradicted ? 1u : 0u),
                    "a contradiction is not told once through the log.");
     }
 }
 
-template <class T>
-void addErrors(Suite& suite, const std::string& output) {
+template <class T> void addErrors(Suite& suite, const std::string& output) {
     const std::string name = std::string(nameOf<T>()) + "/";
     const auto run = [](const std::function<void(Rig&)>& body) {
         return [body](Test& test) {
@@ -172,8 +145,8 @@ void addErrors(Suite& suite, const std::string& output) {
 // Returns whether the bytes from `first` to the end equal an initialised struct.
 bool isInitialFrom(const AgaaFrameStatistics& statistics, size_t first, size_t end) {
     const AgaaFrameStatistics initial = emptyStatistics();
-    return !std::memcmp(reinterpret_cast<const char*>(&statistics) + first, reinterpret_cast<const char*>(&initial) + first,
-                        end - first);
+    return !std::memcmp(reinterpret_cast<const char*>(&statistics) + first,
+                        reinterpret_cast<const char*>(&initial) + first, end - first);
 }
 
 void testNotReady(Test& test) {
@@ -193,7 +166,8 @@ void testNotReady(Test& test) {
     test.result(test.sdk.agaaGetFrameStatistics(rig.view.get(), 0, &statistics), AGAA_NOT_READY,
                 "agaaGetFrameStatistics with no finished frame");
     for (const uint64_t completed : {UINT64_C(1), UINT64_C(100)}) {
-        test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), completed, &statistics), "agaaGetFrameStatistics");
+        test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), completed, &statistics),
+                       "agaaGetFrameStatistics");
         test.check(statistics.frameIndex == 1, "the statistics are not those of the newest finished frame.");
     }
     rig.render();

@@ -21,9 +21,7 @@ struct Native {
     void* of(Backend backend) { return backend == Backend::Vulkan ? static_cast<void*>(&vk) : &gl; }
 };
 
-Backend other(Backend backend) {
-    return backend == Backend::Vulkan ? Backend::OpenGl : Backend::Vulkan;
-}
+Backend other(Backend backend) { return backend == Backend::Vulkan ? Backend::OpenGl : Backend::Vulkan; }
 
 struct Arguments {
     AgaaView view = nullptr;
@@ -58,7 +56,8 @@ const std::vector<WrongCall>& wrongCalls() {
          }},
         {"the struct of the other API chained", AGAA_ERROR_UNKNOWN_STRUCT,
          [](Arguments& a, Backend backend) { a.surface.pNext = a.native.of(other(backend)); }},
-        {"an unknown struct chained", AGAA_ERROR_UNKNOWN_STRUCT, [](Arguments& a, Backend) { a.surface.pNext = &a.unknown; }}};
+        {"an unknown struct chained", AGAA_ERROR_UNKNOWN_STRUCT,
+         [](Arguments& a, Backend) { a.surface.pNext = &a.unknown; }}};
     return calls;
 }
 
@@ -86,7 +85,8 @@ void testCalls(Test& test, AgaaResult code) {
         else
             test.result(result, call.code, what);
         test.check(!std::memcmp(&before, &a.surface, sizeof before), what + " fails and changes outSurface.");
-        test.check(!std::memcmp(&nativeBefore, &a.native, sizeof nativeBefore), what + " fails and changes a chained struct.");
+        test.check(!std::memcmp(&nativeBefore, &a.native, sizeof nativeBefore),
+                   what + " fails and changes a chained struct.");
     }
 }
 
@@ -103,7 +103,8 @@ void listSurfaces(Test& test, const ScopedContext& context, const AgaaDeviceCaps
     const BareView view(test, context.get(), description);
     const AgaaSurface initial = AGAA_SURFACE_INIT;
     uint32_t count = 0;
-    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, nullptr), "agaaQueryMemory");
+    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, nullptr),
+                   "agaaQueryMemory");
     std::vector<AgaaSurface> predicted(count, initial);
     test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, predicted.data()),
                    "agaaQueryMemory");
@@ -123,7 +124,8 @@ void listSurfaces(Test& test, const ScopedContext& context, const AgaaDeviceCaps
                "\"" + technique + (hasDepth ? "\" has a surface depth." : "\" has no surface depth."));
 }
 
-using Visit = std::function<void(const AgaaSurface& predicted, const AgaaSurface& got, const Native&, const std::string& what)>;
+using Visit =
+    std::function<void(const AgaaSurface& predicted, const AgaaSurface& got, const Native&, const std::string& what)>;
 
 // All surfaces of agaaQueryMemory with isPerPixel 1, for each technique. They are listed once for all tests of a
 // device.
@@ -150,14 +152,15 @@ void testPredicted(Test& test) {
 
 void testHandles(Test& test) {
     const bool isVk = test.device().backend() == Backend::Vulkan;
-    forSurfaces(test, [&](const AgaaSurface& surface, const AgaaSurface&, const Native& native, const std::string& what) {
-        const bool isBuffer = !surface.format[0];
-        const bool hasImage =
-            isVk ? native.vk.image && native.vk.view && native.vk.format : native.gl.texture && native.gl.format;
-        const bool hasBuffer = isVk ? native.vk.buffer != 0 : native.gl.buffer != 0;
-        test.check(isBuffer ? hasBuffer && !hasImage : hasImage && !hasBuffer,
-                   what + " has no handle, or one that does not fit its format.");
-    });
+    forSurfaces(test,
+                [&](const AgaaSurface& surface, const AgaaSurface&, const Native& native, const std::string& what) {
+                    const bool isBuffer = !surface.format[0];
+                    const bool hasImage = isVk ? native.vk.image && native.vk.view && native.vk.format
+                                               : native.gl.texture && native.gl.format;
+                    const bool hasBuffer = isVk ? native.vk.buffer != 0 : native.gl.buffer != 0;
+                    test.check(isBuffer ? hasBuffer && !hasImage : hasImage && !hasBuffer,
+                               what + " has no handle, or one that does not fit its format.");
+                });
 }
 
 void testReserved(Test& test) {
@@ -170,9 +173,11 @@ void testReserved(Test& test) {
 } // namespace
 
 void addSurfaceCases(Suite& suite) {
-    suite.both("agaaGetSurface/AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) { testCalls(test, AGAA_ERROR_INVALID_ARGUMENT); });
+    suite.both("agaaGetSurface/AGAA_ERROR_INVALID_ARGUMENT",
+               [](Test& test) { testCalls(test, AGAA_ERROR_INVALID_ARGUMENT); });
     suite.both("agaaGetSurface/AGAA_ERROR_STRUCT", [](Test& test) { testCalls(test, AGAA_ERROR_STRUCT); });
-    suite.both("agaaGetSurface/AGAA_ERROR_UNKNOWN_STRUCT", [](Test& test) { testCalls(test, AGAA_ERROR_UNKNOWN_STRUCT); });
+    suite.both("agaaGetSurface/AGAA_ERROR_UNKNOWN_STRUCT",
+               [](Test& test) { testCalls(test, AGAA_ERROR_UNKNOWN_STRUCT); });
     suite.both("agaaGetSurface/outSurface.unchanged", [](Test& test) { testCalls(test, AGAA_OK); });
     suite.add("AgaaGlSurface.reserved/zero", {Backend::OpenGl}, testReserved);
     suite.both("general/surfaces_are_as_predicted", testPredicted);

@@ -31,7 +31,8 @@ void testTechniques(Test& test) {
         for (size_t t = 0; t < names.size(); ++t) {
             AgaaFrame frame = pixelFrame(test.device(), *descriptions[t], i);
             test.device().fillOutput(0.0f);
-            test.requireOk(test.device().record(test.sdk, views[t]->get(), frame, scene), "a frame of " + quoted(names[t]));
+            test.requireOk(test.device().record(test.sdk, views[t]->get(), frame, scene),
+                           "a frame of " + quoted(names[t]));
             const Image image = test.device().readOutput();
             expectColor(test, image, 32, {1, 1, 7, 23}, back, 0.01f, quoted(names[t]) + ": the rectangle at the back");
             expectColor(test, image, 32, {10, 14, 31, 23}, second, 0.01f, quoted(names[t]) + ": the second rectangle");
@@ -53,12 +54,13 @@ void testOptions(Test& test) {
         inner.requireOk(device->getDeviceCaps(test.sdk, nullptr, &deviceCaps), "agaaVkGetDeviceCaps");
         inner.requireOk(device->getContextCaps(test.sdk, context.get(), &caps), "agaaVkGetContextCaps");
         inner.check(caps.flags == deviceCaps.flags, "a device with all options gives the context other flags (" +
-                                                      std::to_string(caps.flags) + ") than agaaVkGetDeviceCaps (" +
-                                                      std::to_string(deviceCaps.flags) + ").");
+                                                        std::to_string(caps.flags) + ") than agaaVkGetDeviceCaps (" +
+                                                        std::to_string(deviceCaps.flags) + ").");
         ScopedContext unnamed(inner, [](ContextDescription& d) { d.vk.enabledFeatures = nullptr; });
         AgaaDeviceCaps unnamedCaps = AGAA_DEVICE_CAPS_INIT;
         inner.requireOk(device->getContextCaps(test.sdk, unnamed.get(), &unnamedCaps), "agaaVkGetContextCaps");
-        inner.check(unnamedCaps.flags == (caps.flags & ~(AGAA_DEVICE_CONDITIONAL_RENDERING | AGAA_DEVICE_FRAMEBUFFER_FETCH)),
+        inner.check(unnamedCaps.flags ==
+                        (caps.flags & ~(AGAA_DEVICE_CONDITIONAL_RENDERING | AGAA_DEVICE_FRAMEBUFFER_FETCH)),
                     "enabledFeatures = null gives the context other flags.");
         const bool isDynamic = caps.flags & AGAA_DEVICE_DYNAMIC_RENDERING;
         const auto ask = [](ContextDescription& d) { d.vk.rendering = AGAA_VK_RENDERING_DYNAMIC; };
@@ -92,12 +94,14 @@ void testRenderings(Test& test) {
     Test inner(test.sdk, device.get());
     try {
         Image images[2];
-        for (const uint32_t rendering : {AGAA_VK_RENDERING_AUTO, AGAA_VK_RENDERING_DYNAMIC, AGAA_VK_RENDERING_RENDER_PASS}) {
+        for (const uint32_t rendering :
+             {AGAA_VK_RENDERING_AUTO, AGAA_VK_RENDERING_DYNAMIC, AGAA_VK_RENDERING_RENDER_PASS}) {
             Rig rig(inner, {}, [=](ContextDescription& d) { d.vk.rendering = rendering; });
             const bool usesPass = rendering == AGAA_VK_RENDERING_RENDER_PASS;
             images[usesPass] = rig.render();
             inner.check((renderPassOf(inner, rig.view.get()) != 0) == usesPass,
-                        "AgaaVkDeviceDesc::rendering = " + std::to_string(rendering) + " selects the other way to render.");
+                        "AgaaVkDeviceDesc::rendering = " + std::to_string(rendering) +
+                            " selects the other way to render.");
         }
         expectSame(inner, images[0], images[1], 32, "the image with dynamic rendering in place of render passes");
     } catch (const Aborted&) {
@@ -119,7 +123,8 @@ Prediction predict(Test& test, AgaaContext context, const ViewDescription& descr
     Prediction p;
     const AgaaSurface initial = AGAA_SURFACE_INIT;
     uint32_t count = 0;
-    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, nullptr), "agaaQueryMemory");
+    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, nullptr),
+                   "agaaQueryMemory");
     p.surfaces.assign(count, initial);
     test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, &p.report, &count, p.surfaces.data()),
                    "agaaQueryMemory");
@@ -171,9 +176,11 @@ void testMemory(Test& test) {
             change(description);
             const Prediction p = predict(test, context.get(), description);
             AgaaView view = nullptr;
-            test.requireOk(test.device().createView(test.sdk, context.get(), &description.desc, &view), "a view of " + what);
+            test.requireOk(test.device().createView(test.sdk, context.get(), &description.desc, &view),
+                           "a view of " + what);
             AgaaFrameStatistics s = AGAA_FRAME_STATISTICS_INIT;
-            test.result(test.sdk.agaaGetFrameStatistics(view, 0, &s), AGAA_NOT_READY, "agaaGetFrameStatistics of " + what);
+            test.result(test.sdk.agaaGetFrameStatistics(view, 0, &s), AGAA_NOT_READY,
+                        "agaaGetFrameStatistics of " + what);
             test.check(s.payloadBytes == p.report.totalBytes,
                        what + ": agaaQueryMemory predicts " + std::to_string(p.report.totalBytes) +
                            " bytes, and surfaces of " + std::to_string(s.payloadBytes) + " bytes are created.");
@@ -188,7 +195,8 @@ void testMemory(Test& test) {
                 if (description.config.flags & AGAA_CONFIG_READBACK)
                     test.check(s.peakBytes >= s.driverBytes, what + ": surfaces share memory.");
             } else
-                test.check(s.driverBytes == 0 && s.peakBytes == s.payloadBytes, what + ": driverBytes or peakBytes is wrong.");
+                test.check(s.driverBytes == 0 && s.peakBytes == s.payloadBytes,
+                           what + ": driverBytes or peakBytes is wrong.");
             test.sdk.agaaDestroyView(view);
             if (isVulkan)
                 test.check(memory->live() == 0, what + ": memory is not freed.");

@@ -26,7 +26,8 @@ std::string expectNotCreated(Test& test, ScopedContext& context, const ViewParts
     AgaaView view = nullptr;
     const AgaaResult result = test.device().createView(test.sdk, context.get(), &parts.desc, &view);
     const std::vector<LogLine> errors = context.log.errors();
-    expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, context.log, createView(test), callWith(createView(test), what), words);
+    expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, context.log, createView(test), callWith(createView(test), what),
+                  words);
     test.check(!view, callWith(createView(test), what) + " fails and returns a view.");
     if (view)
         test.sdk.agaaDestroyView(view);
@@ -45,13 +46,14 @@ void testMixedSamples(Test& test) {
 void testSampleCounts(Test& test) {
     ScopedContext context(test);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
-    test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "asking for the capabilities of the context");
+    test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps),
+                   "asking for the capabilities of the context");
     for (uint32_t i = 1; i <= 5; ++i) {
         ViewParts parts(test.sdk, &test.device());
         parts.config.samples = 1u << i;
         parts.config.visibilityTier = AGAA_TIER_NATIVE;
-        const std::string what = "AGAA_TIER_NATIVE, samples = " + std::to_string(1u << i) + " and sampleCounts = " +
-                                 std::to_string(caps.sampleCounts);
+        const std::string what = "AGAA_TIER_NATIVE, samples = " + std::to_string(1u << i) +
+                                 " and sampleCounts = " + std::to_string(caps.sampleCounts);
         if (caps.sampleCounts >> i & 1)
             expectCreated(test, context, parts, what);
         else
@@ -61,7 +63,8 @@ void testSampleCounts(Test& test) {
 
 // The sentence names the largest number, which is accepted.
 void testLightsOfBlocks(Test& test) {
-    ScopedContext context(test, [](ContextDescription& description) { description.gl.storage = AGAA_GL_STORAGE_IMAGES; });
+    ScopedContext context(test,
+                          [](ContextDescription& description) { description.gl.storage = AGAA_GL_STORAGE_IMAGES; });
     ViewParts parts(test.sdk, &test.device());
     parts.config.technique = "msaa";
     parts.facts.maxLights = 4096;
@@ -74,7 +77,8 @@ void testLightsOfBlocks(Test& test) {
     parts.facts.maxLights = most;
     expectCreated(test, context, parts, std::to_string(most) + " lights in a uniform block");
     parts.facts.maxLights = most + 1;
-    expectNotCreated(test, context, parts, std::to_string(most + 1) + " lights in a uniform block", std::to_string(most));
+    expectNotCreated(test, context, parts, std::to_string(most + 1) + " lights in a uniform block",
+                     std::to_string(most));
     parts.config.technique = "agaa";
     parts.facts.maxLights = 4096;
     expectCreated(test, context, parts, "\"agaa\" and 4096 lights");

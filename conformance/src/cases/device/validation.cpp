@@ -40,14 +40,13 @@ AgaaFrameValidation validateMissing(Test& test) {
     return validate(rig);
 }
 
-bool isMask(const uint32_t* mask, uint32_t first) {
-    return mask[0] == first && !mask[1] && !mask[2] && !mask[3];
-}
+bool isMask(const uint32_t* mask, uint32_t first) { return mask[0] == first && !mask[1] && !mask[2] && !mask[3]; }
 
 void testInvalid(Test& test) {
     const AgaaFrameValidation v = validateMissing(test);
     test.check(v.isValid == 0 && v.explanation[0], "a frame with an object that a pass omits is valid.");
-    test.check(v.uncovered == 12 * 4, "AgaaFrameValidation::uncovered is " + std::to_string(v.uncovered) + " in place of 48.");
+    test.check(v.uncovered == 12 * 4,
+               "AgaaFrameValidation::uncovered is " + std::to_string(v.uncovered) + " in place of 48.");
     test.check(v.invalidPixels == 12, "invalidPixels is " + std::to_string(v.invalidPixels) + " in place of 12.");
     test.require(v.pixelCount == AGAA_MAX_INVALID_PIXELS, "pixelCount is " + std::to_string(v.pixelCount) + ".");
     for (const AgaaInvalidPixel& pixel : v.pixels) {
@@ -75,8 +74,8 @@ void testMisplaced(Test& test) {
     test.requireOk(rig.record(frame), rig.function());
     rig.device().mistakes = {};
     const AgaaFrameValidation v = validate(rig);
-    test.check(v.misplaced >= 48,
-               "AgaaFrameValidation::misplaced is " + std::to_string(v.misplaced) + " for 48 pixels that are drawn elsewhere.");
+    test.check(v.misplaced >= 48, "AgaaFrameValidation::misplaced is " + std::to_string(v.misplaced) +
+                                      " for 48 pixels that are drawn elsewhere.");
     test.check(v.isValid == 0, "a frame with another projection than the host's is valid.");
 }
 

@@ -54,9 +54,10 @@ void expectNonePrepared(Test& test, AgaaResult code, const std::vector<WrongFact
 void testInvalidArguments(Test& test) {
     Rig rig(test);
     const AgaaSceneFacts facts = noFacts();
-    test.result(test.sdk.agaaPrepareVariants(nullptr, 1, &facts), AGAA_ERROR_INVALID_ARGUMENT, "agaaPrepareVariants with view = null");
-    expectRefused(test, test.sdk.agaaPrepareVariants(rig.view.get(), 1, nullptr), AGAA_ERROR_INVALID_ARGUMENT, rig.context.log,
-                  prepare, "agaaPrepareVariants with facts = null and count = 1");
+    test.result(test.sdk.agaaPrepareVariants(nullptr, 1, &facts), AGAA_ERROR_INVALID_ARGUMENT,
+                "agaaPrepareVariants with view = null");
+    expectRefused(test, test.sdk.agaaPrepareVariants(rig.view.get(), 1, nullptr), AGAA_ERROR_INVALID_ARGUMENT,
+                  rig.context.log, prepare, "agaaPrepareVariants with facts = null and count = 1");
 }
 
 void testNoElements(Test& test) {
@@ -73,7 +74,8 @@ void testStructs(Test& test) {
     noType.sType = 0;
     noSize.structSize = 8;
     larger.structSize += 4; // not a multiple of 8
-    expectNonePrepared(test, AGAA_ERROR_STRUCT, {{"sType = 0", noType}, {"structSize = 8", noSize}, {"an odd structSize", larger}});
+    expectNonePrepared(test, AGAA_ERROR_STRUCT,
+                       {{"sType = 0", noType}, {"structSize = 8", noSize}, {"an odd structSize", larger}});
 }
 
 void testUnknownStruct(Test& test) {
@@ -99,7 +101,8 @@ void testFrameFacts(Test& test) {
     frame.facts = &none;
     frame.lights = &light;
     frame.lightCount = 1;
-    expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame of more lights than its facts", "lightCount"}, expected);
+    expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame of more lights than its facts", "lightCount"},
+                       expected);
 }
 
 // Null stands for the facts of the view.
@@ -107,16 +110,21 @@ void testNullFacts(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
     const AgaaSceneFacts viewFacts = rig.description().facts;
-    expectSame(test, rig.render([&](AgaaFrame& frame) { frame.facts = &viewFacts; }), expected, 32, "a frame with the facts of its view");
-    test.check(rig.statistics().variantFlags == viewFacts.flags, "AgaaFrameStatistics::variantFlags are not those of the view.");
+    expectSame(test, rig.render([&](AgaaFrame& frame) { frame.facts = &viewFacts; }), expected, 32,
+               "a frame with the facts of its view");
+    test.check(rig.statistics().variantFlags == viewFacts.flags,
+               "AgaaFrameStatistics::variantFlags are not those of the view.");
 }
 
 void testVariantCount(Test& test) {
     Rig rig(test);
     AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
-    test.result(test.sdk.agaaGetFrameStatistics(rig.view.get(), 0, &statistics), AGAA_NOT_READY, "agaaGetFrameStatistics");
-    test.check(statistics.variantCount == 1, "a new view has " + std::to_string(statistics.variantCount) + " variants.");
-    test.check(statistics.compiledPipelines > 0 && statistics.compileMilliseconds > 0, "a new view has compiled nothing.");
+    test.result(test.sdk.agaaGetFrameStatistics(rig.view.get(), 0, &statistics), AGAA_NOT_READY,
+                "agaaGetFrameStatistics");
+    test.check(statistics.variantCount == 1,
+               "a new view has " + std::to_string(statistics.variantCount) + " variants.");
+    test.check(statistics.compiledPipelines > 0 && statistics.compileMilliseconds > 0,
+               "a new view has compiled nothing.");
     const AgaaSceneFacts facts = noFacts();
     for (int i = 0; i < 2; ++i) {
         test.requireOk(test.sdk.agaaPrepareVariants(rig.view.get(), 1, &facts), prepare);
@@ -132,15 +140,16 @@ void testCacheArguments(Test& test) {
     size_t size = 0;
     test.result(test.sdk.agaaGlGetProgramCache(nullptr, &size, nullptr), AGAA_ERROR_INVALID_ARGUMENT,
                 "agaaGlGetProgramCache with context = null");
-    expectRefused(test, test.sdk.agaaGlGetProgramCache(context.get(), nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT, context.log,
-                  "agaaGlGetProgramCache", "agaaGlGetProgramCache with size = null");
+    expectRefused(test, test.sdk.agaaGlGetProgramCache(context.get(), nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT,
+                  context.log, "agaaGlGetProgramCache", "agaaGlGetProgramCache with size = null");
 }
 
 // A call with null data returns the size. A size that is too small changes nothing.
 void testCacheSize(Test& test) {
     ScopedContext context(test);
     size_t size = 0;
-    test.requireOk(test.sdk.agaaGlGetProgramCache(context.get(), &size, nullptr), "agaaGlGetProgramCache with data = null");
+    test.requireOk(test.sdk.agaaGlGetProgramCache(context.get(), &size, nullptr),
+                   "agaaGlGetProgramCache with data = null");
     test.require(size > 0, "agaaGlGetProgramCache tells no size.");
     Bytes bytes(size + 64);
     const Bytes untouched = bytes;
@@ -152,7 +161,8 @@ void testCacheSize(Test& test) {
     size_t more = size + 32;
     test.requireOk(test.sdk.agaaGlGetProgramCache(context.get(), &more, bytes.data()), "agaaGlGetProgramCache");
     test.check(more == size, "agaaGlGetProgramCache returns another size than before.");
-    test.check(bytes.findDifference(size, size + 64, Bytes::pattern) == size + 64, "agaaGlGetProgramCache writes beyond its size.");
+    test.check(bytes.findDifference(size, size + 64, Bytes::pattern) == size + 64,
+               "agaaGlGetProgramCache writes beyond its size.");
 }
 
 AgaaResult createWithCache(Test& test, const void* cache, const AgaaLog* log) {
@@ -171,11 +181,13 @@ AgaaResult createWithCache(Test& test, const void* cache, const AgaaLog* log) {
 void testCacheData(Test& test) {
     AgaaGlProgramCache cache = AGAA_GL_PROGRAM_CACHE_INIT;
     LogRecorder log;
-    test.result(createWithCache(test, &cache, log.get()), AGAA_OK, "agaaGlCreateContext with an empty AgaaGlProgramCache");
+    test.result(createWithCache(test, &cache, log.get()), AGAA_OK,
+                "agaaGlCreateContext with an empty AgaaGlProgramCache");
     test.check(log.lines.empty(), "an empty AgaaGlProgramCache logs a line.");
     cache.size = 8;
-    expectRefused(test, createWithCache(test, &cache, log.get()), AGAA_ERROR_INVALID_ARGUMENT, log, "agaaGlCreateContext",
-                  "agaaGlCreateContext with AgaaGlProgramCache::data = null", "AgaaGlProgramCache::data");
+    expectRefused(test, createWithCache(test, &cache, log.get()), AGAA_ERROR_INVALID_ARGUMENT, log,
+                  "agaaGlCreateContext", "agaaGlCreateContext with AgaaGlProgramCache::data = null",
+                  "AgaaGlProgramCache::data");
     const char text[] = "these are no programs that a driver made";
     cache.data = text;
     cache.size = sizeof text;
@@ -185,8 +197,9 @@ void testCacheData(Test& test) {
 }
 
 void testCacheHeader(Test& test) {
-    HeaderCase c = {"AgaaGlProgramCache", "agaaGlCreateContext", nullptr,
-                    [](Test& inner, void* structure, const AgaaLog* log) { return createWithCache(inner, structure, log); }};
+    HeaderCase c = {
+        "AgaaGlProgramCache", "agaaGlCreateContext", nullptr,
+        [](Test& inner, void* structure, const AgaaLog* log) { return createWithCache(inner, structure, log); }};
     c.isChained = true;
     testHeader(test, c);
 }
@@ -206,7 +219,9 @@ void addVariantCases(Suite& suite) {
     suite.both("AgaaFrame.facts/null", testNullFacts);
     suite.both("AgaaFrameStatistics.variantFlags/flags", testNullFacts);
     suite.both("AgaaFrameStatistics.variantCount/range", testVariantCount);
-    const auto gl = [&](const char* name, std::function<void(Test&)> run) { suite.add(name, {Backend::OpenGl}, std::move(run)); };
+    const auto gl = [&](const char* name, std::function<void(Test&)> run) {
+        suite.add(name, {Backend::OpenGl}, std::move(run));
+    };
     gl("agaaGlGetProgramCache/AGAA_ERROR_INVALID_ARGUMENT", testCacheArguments);
     for (const char* promise : {"size.unchanged", "data.unchanged", "data.null", "AGAA_ERROR_BUFFER_TOO_SMALL"})
         gl((std::string("agaaGlGetProgramCache/") + promise).c_str(), testCacheSize);

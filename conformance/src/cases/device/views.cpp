@@ -14,7 +14,8 @@ using Rows = std::vector<WrongView>;
 // Views that the device does not support, or whose texts do not compile.
 Rows deviceRows(const AgaaDeviceCaps& caps, Backend backend) {
     Rows rows;
-    const auto add = [&](const std::string& what, AgaaResult expected, const char* words, std::function<void(ViewParts&)> corrupt) {
+    const auto add = [&](const std::string& what, AgaaResult expected, const char* words,
+                         std::function<void(ViewParts&)> corrupt) {
         rows.push_back({what, expected, words, std::move(corrupt)});
     };
     constexpr AgaaResult invalid = AGAA_ERROR_INVALID_ARGUMENT;
@@ -105,7 +106,8 @@ void testRows(Test& test, AgaaResult expected) {
     test.check(count > 0, "the test has no rows.");
     ViewParts right(test.sdk, &test.device());
     AgaaView view = nullptr;
-    test.requireOk(test.device().createView(test.sdk, context.get(), &right.desc, &view), "a right view after wrong ones");
+    test.requireOk(test.device().createView(test.sdk, context.get(), &right.desc, &view),
+                   "a right view after wrong ones");
     test.sdk.agaaDestroyView(view);
 }
 
@@ -117,7 +119,8 @@ void testNulls(Test& test) {
     test.result(test.device().createView(test.sdk, nullptr, &parts.desc, &view), AGAA_ERROR_INVALID_ARGUMENT,
                 function + " with context = null");
     test.check(view == untouchedHandle<AgaaView>(), function + " with context = null changes outView.");
-    const auto create = test.device().backend() == Backend::Vulkan ? test.sdk.agaaVkCreateView : test.sdk.agaaGlCreateView;
+    const auto create =
+        test.device().backend() == Backend::Vulkan ? test.sdk.agaaVkCreateView : test.sdk.agaaGlCreateView;
     expectRefused(test, create(context.get(), &parts.desc, nullptr), AGAA_ERROR_INVALID_ARGUMENT, context.log, function,
                   function + " with outView = null", "view");
 }
@@ -126,7 +129,8 @@ void testNulls(Test& test) {
 void testLargest(Test& test) {
     ScopedContext context(test);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
-    test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "reading the capabilities of the context");
+    test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps),
+                   "reading the capabilities of the context");
     for (const bool isTall : {false, true}) {
         ViewParts parts(test.sdk, &test.device());
         parts.config.technique = "single";
@@ -134,7 +138,8 @@ void testLargest(Test& test) {
         parts.desc.height = isTall ? caps.maxImageSize : 1;
         AgaaView view = nullptr;
         const AgaaResult result = test.device().createView(test.sdk, context.get(), &parts.desc, &view);
-        if (test.result(result, AGAA_OK, std::string("a view of maxImageSize x 1 pixels") + (isTall ? ", upright" : "")))
+        if (test.result(result, AGAA_OK,
+                        std::string("a view of maxImageSize x 1 pixels") + (isTall ? ", upright" : "")))
             test.sdk.agaaDestroyView(view);
     }
 }
@@ -197,10 +202,11 @@ void testLayoutsOfSets(Test& test) {
 } // namespace
 
 void addViewCases(Suite& suite) {
-    for (const auto& [name, code] :
-         {std::pair("AGAA_ERROR_STRUCT", AGAA_ERROR_STRUCT), std::pair("AGAA_ERROR_UNKNOWN_STRUCT", AGAA_ERROR_UNKNOWN_STRUCT),
-          std::pair("AGAA_ERROR_OUT_OF_RANGE", AGAA_ERROR_OUT_OF_RANGE), std::pair("AGAA_ERROR_LAYOUT", AGAA_ERROR_LAYOUT),
-          std::pair("AGAA_ERROR_UNSUPPORTED", AGAA_ERROR_UNSUPPORTED)})
+    for (const auto& [name, code] : {std::pair("AGAA_ERROR_STRUCT", AGAA_ERROR_STRUCT),
+                                     std::pair("AGAA_ERROR_UNKNOWN_STRUCT", AGAA_ERROR_UNKNOWN_STRUCT),
+                                     std::pair("AGAA_ERROR_OUT_OF_RANGE", AGAA_ERROR_OUT_OF_RANGE),
+                                     std::pair("AGAA_ERROR_LAYOUT", AGAA_ERROR_LAYOUT),
+                                     std::pair("AGAA_ERROR_UNSUPPORTED", AGAA_ERROR_UNSUPPORTED)})
         addApiCase(suite, "CreateView", name, [code = code](Test& test) { testRows(test, code); });
     addApiCase(suite, "CreateView", "AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) {
         testNulls(test);
@@ -221,8 +227,8 @@ void addViewCases(Suite& suite) {
         for (const char* technique : {"single", "msaa", "agaa"})
             for (const uint64_t others : {UINT64_C(0), AGAA_VIEW_REVERSED_Z})
                 expectRowRefused(test, context,
-                                 {"AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE", AGAA_ERROR_UNSUPPORTED, "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE",
-                                  [=](ViewParts& p) {
+                                 {"AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE", AGAA_ERROR_UNSUPPORTED,
+                                  "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE", [=](ViewParts& p) {
                                       p.config.technique = technique;
                                       p.desc.flags |= AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE | others;
                                   }});

@@ -25,8 +25,8 @@ AgaaDeviceCaps pattern() {
 AgaaResult interposedCaps(Test& test, const AgaaLog* log, AgaaDeviceCaps* caps) {
     ContextDescription description = test.device().description();
     description.vk.getProcAddr = VulkanInterposer::getProcAddr;
-    return test.sdk.agaaVkGetDeviceCaps(description.vk.instance, description.vk.physicalDevice, description.vk.getProcAddr, log,
-                                        caps);
+    return test.sdk.agaaVkGetDeviceCaps(description.vk.instance, description.vk.physicalDevice,
+                                        description.vk.getProcAddr, log, caps);
 }
 
 void testMissing(Test& test) {
@@ -40,8 +40,8 @@ void testMissing(Test& test) {
         LogRecorder log;
         caps = pattern();
         const std::string what = "agaaVkGetDeviceCaps without " + name;
-        expectRefused(test, interposedCaps(test, log.get(), &caps), AGAA_ERROR_UNSUPPORTED, log, "agaaVkGetDeviceCaps", what,
-                      name);
+        expectRefused(test, interposedCaps(test, log.get(), &caps), AGAA_ERROR_UNSUPPORTED, log, "agaaVkGetDeviceCaps",
+                      what, name);
         test.check(isSame(caps, pattern()), what + " changes outCaps.");
     }
 }
@@ -59,7 +59,8 @@ void testFailures(Test& test, const std::vector<VkResult>& errors, AgaaResult ex
                 test.check(nth > 1, "agaaVkGetDeviceCaps calls no function that can fail.");
                 break;
             }
-            const std::string what = "agaaVkGetDeviceCaps, where " + vulkan.failed() + " returns " + std::to_string(error);
+            const std::string what =
+                "agaaVkGetDeviceCaps, where " + vulkan.failed() + " returns " + std::to_string(error);
             expectRefused(test, result, expected, log, "agaaVkGetDeviceCaps", what, vulkan.failed());
             test.check(isSame(caps, pattern()), what + ", changes outCaps.");
         }
@@ -79,13 +80,16 @@ void testThreads(Test& test) {
         });
     for (std::thread& thread : threads)
         thread.join();
-    test.check(wrong == 0, "agaaVkGetDeviceCaps: " + std::to_string(wrong) + " of 160 calls of 8 threads at once differ.");
+    test.check(wrong == 0,
+               "agaaVkGetDeviceCaps: " + std::to_string(wrong) + " of 160 calls of 8 threads at once differ.");
 }
 
 } // namespace
 
 void addVulkanCapsCases(Suite& suite) {
-    const auto vk = [&](const char* name, std::function<void(Test&)> run) { suite.add(name, {Backend::Vulkan}, std::move(run)); };
+    const auto vk = [&](const char* name, std::function<void(Test&)> run) {
+        suite.add(name, {Backend::Vulkan}, std::move(run));
+    };
     vk("agaaVkGetDeviceCaps/AGAA_ERROR_UNSUPPORTED", testMissing);
     vk("agaaVkGetDeviceCaps/AGAA_ERROR_DEVICE", [](Test& test) {
         testFailures(test, {VK_ERROR_DEVICE_LOST, VK_ERROR_INITIALIZATION_FAILED, VK_ERROR_UNKNOWN}, AGAA_ERROR_DEVICE);

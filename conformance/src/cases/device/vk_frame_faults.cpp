@@ -20,7 +20,8 @@ void testFault(Test& test, const std::vector<VkResult>& errors, AgaaResult code)
             const std::string& function = called[n - 1];
             const std::string what = "agaaVkRecordFrame, where the function " + std::to_string(n) + ", " + function +
                                      ", returns " + std::to_string(error);
-            const RecordHook hook = [&](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void* native) {
+            const RecordHook hook = [&](const RecordCall& call, AgaaView view, const AgaaFrame* frame,
+                                        const void* native) {
                 vulkan.failAt(n, error);
                 const AgaaResult result = call(view, frame, native);
                 test.check(vulkan.failed() == function, what + ": the function is not called.");
@@ -38,8 +39,9 @@ void addVulkanFrameFaultCases(Suite& suite) {
     suite.add("agaaVkRecordFrame/AGAA_ERROR_OUT_OF_MEMORY", {Backend::Vulkan}, [](Test& test) {
         testFault(test, {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY}, AGAA_ERROR_OUT_OF_MEMORY);
     });
-    suite.add("agaaVkRecordFrame/AGAA_ERROR_DEVICE", {Backend::Vulkan},
-              [](Test& test) { testFault(test, {VK_ERROR_DEVICE_LOST, VK_ERROR_UNKNOWN}, AGAA_ERROR_DEVICE); });
+    suite.add("agaaVkRecordFrame/AGAA_ERROR_DEVICE", {Backend::Vulkan}, [](Test& test) {
+        testFault(test, {VK_ERROR_DEVICE_LOST, VK_ERROR_UNKNOWN}, AGAA_ERROR_DEVICE);
+    });
 }
 
 } // namespace agaa::conformance

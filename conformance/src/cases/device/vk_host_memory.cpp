@@ -12,7 +12,9 @@ HostDeviceMemory::HostDeviceMemory(Test& test) : test_(test) {
     allocator_.allocate = [](void* user, const AgaaVkAllocationInfo* info, AgaaVkMemory* out) {
         return static_cast<HostDeviceMemory*>(user)->allocate(*info, *out);
     };
-    allocator_.free = [](void* user, const AgaaVkMemory* memory) { static_cast<HostDeviceMemory*>(user)->release(*memory); };
+    allocator_.free = [](void* user, const AgaaVkMemory* memory) {
+        static_cast<HostDeviceMemory*>(user)->release(*memory);
+    };
 }
 
 void HostDeviceMemory::chainTo(ContextDescription& description) {
@@ -30,7 +32,8 @@ uint64_t HostDeviceMemory::liveBytes() const {
 void HostDeviceMemory::checkInfo(const AgaaVkAllocationInfo& info, const AgaaVkMemory& out) {
     const std::string what = "AgaaVkAllocationInfo";
     test_.check(info.size > 0, what + "::size is 0.");
-    test_.check(info.alignment > 0 && !(info.alignment & (info.alignment - 1)), what + "::alignment is no power of two.");
+    test_.check(info.alignment > 0 && !(info.alignment & (info.alignment - 1)),
+                what + "::alignment is no power of two.");
     test_.check(info.memoryTypeBits && !(uint64_t(info.memoryTypeBits) >> types_.memoryTypeCount),
                 what + "::memoryTypeBits names no type, or one that the device lacks.");
     test_.check(info.isImage <= 1, what + "::isImage is neither 0 nor 1.");
@@ -92,7 +95,8 @@ AgaaResult HostDeviceMemory::allocate(const AgaaVkAllocationInfo& info, AgaaVkMe
 
 void HostDeviceMemory::release(const AgaaVkMemory& memory) {
     const auto found = live_.find(memory.allocation);
-    if (!test_.check(found != live_.end(), "AgaaVkAllocator::free is called for memory that is not allocated, or twice."))
+    if (!test_.check(found != live_.end(),
+                     "AgaaVkAllocator::free is called for memory that is not allocated, or twice."))
         return;
     vkFreeMemory(device_, found->second.memory, nullptr);
     live_.erase(found);

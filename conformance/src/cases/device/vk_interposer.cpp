@@ -45,8 +45,8 @@ template <Function id, class Info, class Handle> struct Create {
     static inline void(VKAPI_PTR* realDestroy)(VkDevice, Handle, const VkAllocationCallbacks*) = nullptr;
     static inline const char* name = nullptr;
     static inline const char* kind = nullptr;
-    static VKAPI_ATTR VkResult VKAPI_CALL call(VkDevice device, const Info* info, const VkAllocationCallbacks* callbacks,
-                                               Handle* out) {
+    static VKAPI_ATTR VkResult VKAPI_CALL call(VkDevice device, const Info* info,
+                                               const VkAllocationCallbacks* callbacks, Handle* out) {
         VkResult error;
         if (failsNow(name, error))
             return error;
@@ -78,7 +78,8 @@ VKAPI_ATTR VkResult VKAPI_CALL createCompute(VkDevice device, VkPipelineCache ca
         countNow("Pipeline", out[i] ? 1 : 0);
     return result;
 }
-VKAPI_ATTR void VKAPI_CALL destroyPipeline(VkDevice device, VkPipeline pipeline, const VkAllocationCallbacks* callbacks) {
+VKAPI_ATTR void VKAPI_CALL destroyPipeline(VkDevice device, VkPipeline pipeline,
+                                           const VkAllocationCallbacks* callbacks) {
     countNow("Pipeline", pipeline ? -1 : 0);
     realDestroyPipeline(device, pipeline, callbacks);
 }
@@ -122,11 +123,13 @@ VKAPI_ATTR void VKAPI_CALL families2(VkPhysicalDevice device, uint32_t* count, V
 
 bool lacksFormats() { return VulkanInterposer::current && !VulkanInterposer::current->hasImageFormats; }
 VKAPI_ATTR VkResult VKAPI_CALL formats(VkPhysicalDevice device, VkFormat format, VkImageType type, VkImageTiling tiling,
-                                       VkImageUsageFlags usage, VkImageCreateFlags flags, VkImageFormatProperties* out) {
+                                       VkImageUsageFlags usage, VkImageCreateFlags flags,
+                                       VkImageFormatProperties* out) {
     VkResult error;
     if (failsNow("vkGetPhysicalDeviceImageFormatProperties", error))
         return error;
-    return lacksFormats() ? VK_ERROR_FORMAT_NOT_SUPPORTED : realFormats(device, format, type, tiling, usage, flags, out);
+    return lacksFormats() ? VK_ERROR_FORMAT_NOT_SUPPORTED
+                          : realFormats(device, format, type, tiling, usage, flags, out);
 }
 VKAPI_ATTR VkResult VKAPI_CALL formats2(VkPhysicalDevice device, const VkPhysicalDeviceImageFormatInfo2* info,
                                         VkImageFormatProperties2* out) {
@@ -152,20 +155,20 @@ PFN_vkVoidFunction interpose(const std::string& name, PFN_vkVoidFunction found) 
         VulkanInterposer::current->requested.insert(name);
     if (!found || (VulkanInterposer::current && VulkanInterposer::current->missing.count(name)))
         return nullptr;
-#define AGAA_CREATE(type)                                                          \
-    using Create##type = Create<create##type, Vk##type##CreateInfo, Vk##type>;     \
-    if (name == "vkCreate" #type) {                                                \
-        Create##type::name = "vkCreate" #type;                                     \
-        Create##type::kind = #type;                                                \
-        return replace(Create##type::real, found, Create##type::call);             \
-    }                                                                              \
-    if (name == "vkDestroy" #type)                                                 \
+#define AGAA_CREATE(type)                                                                                              \
+    using Create##type = Create<create##type, Vk##type##CreateInfo, Vk##type>;                                         \
+    if (name == "vkCreate" #type) {                                                                                    \
+        Create##type::name = "vkCreate" #type;                                                                         \
+        Create##type::kind = #type;                                                                                    \
+        return replace(Create##type::real, found, Create##type::call);                                                 \
+    }                                                                                                                  \
+    if (name == "vkDestroy" #type)                                                                                     \
         return replace(Create##type::realDestroy, found, Create##type::destroy);
-#define AGAA_RESULT(type)                                                          \
-    using Result##type = Result<result##type, PFN_vk##type>;                       \
-    if (name == "vk" #type) {                                                      \
-        Result##type::name = "vk" #type;                                           \
-        return replace(Result##type::real, found, Result##type::call);             \
+#define AGAA_RESULT(type)                                                                                              \
+    using Result##type = Result<result##type, PFN_vk##type>;                                                           \
+    if (name == "vk" #type) {                                                                                          \
+        Result##type::name = "vk" #type;                                                                               \
+        return replace(Result##type::real, found, Result##type::call);                                                 \
     }
 #define AGAA_NO_MEMORY
 #include "vk_interposer.inc"

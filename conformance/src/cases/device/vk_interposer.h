@@ -18,13 +18,13 @@ public:
     void chainTo(ContextDescription& description) override { description.vk.getProcAddr = getProcAddr; }
     static AgaaVkFunction AGAA_CALL getProcAddr(void* instance, const char* name);
 
-    std::set<std::string> missing; // functions that getProcAddr does not find
-    std::set<std::string> requested;   // functions that the SDK requested and Vulkan has
+    std::set<std::string> missing;   // functions that getProcAddr does not find
+    std::set<std::string> requested; // functions that the SDK requested and Vulkan has
 
     // Change the properties of the device. Null changes nothing.
     std::function<void(VkPhysicalDeviceProperties&)> changeProperties;
     std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // called for each queue family
-    bool hasImageFormats = true; // false: the device supports images of no format
+    bool hasImageFormats = true;                                     // false: the device supports images of no format
 
     // Called by the functions that replace Vulkan's.
     static VulkanInterposer* current;

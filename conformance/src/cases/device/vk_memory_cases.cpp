@@ -40,9 +40,11 @@ void testBalance(Test& test, const std::function<void(HostDeviceMemory&)>& check
         const uint32_t allocations = memory.allocations;
         test.requireOk(test.sdk.agaaResizeView(rig.view.get(), 16, 16), "agaaResizeView");
         test.check(memory.allocations > allocations, "agaaResizeView takes no memory of AgaaVkAllocator.");
-        test.check(memory.live() == memory.allocations - allocations,
-                   "agaaResizeView leaves " + std::to_string(memory.live()) + " blocks of " + std::to_string(before) + ".");
-        test.check(!vulkan.objects.count("DeviceMemory"), "the SDK calls vkAllocateMemory although there is an AgaaVkAllocator.");
+        test.check(memory.live() == memory.allocations - allocations, "agaaResizeView leaves " +
+                                                                          std::to_string(memory.live()) +
+                                                                          " blocks of " + std::to_string(before) + ".");
+        test.check(!vulkan.objects.count("DeviceMemory"),
+                   "the SDK calls vkAllocateMemory although there is an AgaaVkAllocator.");
         if (check)
             check(memory);
     }
@@ -64,7 +66,8 @@ void testMapped(Test& test) {
 // ---- failures --------------------------------------------------------------------------------------
 
 // Repeats a call while the k-th allocation fails, for k from 1 until none fails.
-void forEachFailure(Test& test, HostDeviceMemory& memory, const std::string& what, const std::function<AgaaResult()>& call,
+void forEachFailure(Test& test, HostDeviceMemory& memory, const std::string& what,
+                    const std::function<AgaaResult()>& call,
                     const std::function<void(AgaaResult, const std::string&)>& onFailure) {
     for (uint32_t k = 1;; ++k) {
         memory.failAt = k;
@@ -84,7 +87,8 @@ void forEachFailure(Test& test, HostDeviceMemory& memory, const std::string& wha
 
 // The callback may return any value other than AGAA_OK.
 void testCreateFails(Test& test) {
-    for (const AgaaResult failure : {AgaaResult(AGAA_ERROR_OUT_OF_MEMORY), AgaaResult(AGAA_ERROR_DEVICE), AgaaResult(1)}) {
+    for (const AgaaResult failure :
+         {AgaaResult(AGAA_ERROR_OUT_OF_MEMORY), AgaaResult(AGAA_ERROR_DEVICE), AgaaResult(1)}) {
         HostContext host(test);
         host.memory.failure = failure;
         ViewDescription description(&test.device());
@@ -93,7 +97,8 @@ void testCreateFails(Test& test) {
             test, host.memory, createView,
             [&] { return test.device().createView(test.sdk, host.context.get(), &description.desc, &view); },
             [&](AgaaResult result, const std::string& what) {
-                expectRefused(test, result, AGAA_ERROR_OUT_OF_MEMORY, host.context.log, createView, what, "AgaaVkAllocator");
+                expectRefused(test, result, AGAA_ERROR_OUT_OF_MEMORY, host.context.log, createView, what,
+                              "AgaaVkAllocator");
                 test.check(host.memory.live() == 0, what + ", keeps memory.");
                 test.check(view == untouchedHandle<AgaaView>(), what + ", changes outView.");
             });
@@ -111,7 +116,8 @@ void testResizeFails(Test& test) {
     forEachFailure(
         test, memory, "agaaResizeView", [&] { return test.sdk.agaaResizeView(rig.view.get(), 64, 48); },
         [&](AgaaResult result, const std::string& what) {
-            expectRefused(test, result, AGAA_ERROR_OUT_OF_MEMORY, rig.context.log, "agaaResizeView", what, "AgaaVkAllocator");
+            expectRefused(test, result, AGAA_ERROR_OUT_OF_MEMORY, rig.context.log, "agaaResizeView", what,
+                          "AgaaVkAllocator");
             test.check(memory.live() == before, what + ", keeps or frees memory.");
             expectNextFrame(rig, image, what);
         });
@@ -130,8 +136,10 @@ const std::vector<CorruptMemory>& corruptMemory() {
         {"no memory", "memory", [](const AgaaVkAllocationInfo&, AgaaVkMemory& m) { m.memory = 0; }},
         {"an offset that is not aligned", "offset",
          [](const AgaaVkAllocationInfo& i, AgaaVkMemory& m) { m.offset += i.alignment > 1 ? i.alignment / 2 : 0; }},
-        {"memory that is not mapped", "mapped", [](const AgaaVkAllocationInfo&, AgaaVkMemory& m) { m.mapped = nullptr; }},
-        {"a reserved member that is not 0", "reserved", [](const AgaaVkAllocationInfo&, AgaaVkMemory& m) { m.reserved[0] = 1; }},
+        {"memory that is not mapped", "mapped",
+         [](const AgaaVkAllocationInfo&, AgaaVkMemory& m) { m.mapped = nullptr; }},
+        {"a reserved member that is not 0", "reserved",
+         [](const AgaaVkAllocationInfo&, AgaaVkMemory& m) { m.reserved[0] = 1; }},
         {"a last reserved member that is not 0", "reserved",
          [](const AgaaVkAllocationInfo&, AgaaVkMemory& m) { m.reserved[1] = UINT64_C(1) << 63; }}};
     return rows;
@@ -139,8 +147,9 @@ const std::vector<CorruptMemory>& corruptMemory() {
 
 // Makes the k-th allocation invalid, for each k to which the row applies, and calls the function. Returns after the
 // last k.
-void forEachCorruption(Test& test, HostDeviceMemory& memory, const CorruptMemory& row, const std::string& function, LogRecorder& log,
-                    const std::function<AgaaResult()>& call, const std::function<void(const std::string&)>& after) {
+void forEachCorruption(Test& test, HostDeviceMemory& memory, const CorruptMemory& row, const std::string& function,
+                       LogRecorder& log, const std::function<AgaaResult()>& call,
+                       const std::function<void(const std::string&)>& after) {
     uint32_t found = 0;
     for (uint32_t k = 0;; ++k) {
         uint32_t number = 0;
@@ -183,8 +192,9 @@ void testCreateWithCorruptMemory(Test& test, const std::string& words) {
                 test.sdk.agaaDestroyView(view);
             return result;
         };
-        forEachCorruption(test, host.memory, row, createView, host.context.log, create,
-                       [&](const std::string& what) { test.check(host.memory.live() == 0, what + ": memory is not freed."); });
+        forEachCorruption(test, host.memory, row, createView, host.context.log, create, [&](const std::string& what) {
+            test.check(host.memory.live() == 0, what + ": memory is not freed.");
+        });
     }
     expectNoMessages(test, createView);
 }
@@ -212,7 +222,9 @@ void testResizeWithCorruptMemory(Test& test) {
 } // namespace
 
 void addVulkanMemoryCases(Suite& suite) {
-    const auto vk = [&](const char* name, std::function<void(Test&)> run) { suite.add(name, {Backend::Vulkan}, std::move(run)); };
+    const auto vk = [&](const char* name, std::function<void(Test&)> run) {
+        suite.add(name, {Backend::Vulkan}, std::move(run));
+    };
     vk("AgaaVkAllocator/balance", [](Test& test) { testBalance(test); });
     vk("AgaaVkAllocationInfo.reserved/zero", [](Test& test) { testBalance(test); }); // the allocator checks them
     vk("AgaaVkMemory.mapped/null", [](Test& test) {

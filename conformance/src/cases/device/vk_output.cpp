@@ -62,20 +62,19 @@ void testWrongLayouts(Test& test) {
     const Image expected = rig.render();
     for (const VkImageLayout out : {VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_PREINITIALIZED}) {
         AgaaFrame frame = rig.nextFrame();
-        expectFrameRefused(
-            rig, frame,
-            {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with outputLayoutOut = " + std::to_string(out), "outputLayoutOut"},
-            expected, [out](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
-                AgaaVkFrame copy = *static_cast<const AgaaVkFrame*>(native);
-                copy.outputLayoutOut = uint32_t(out);
-                return call(view, f, &copy);
-            });
+        expectFrameRefused(rig, frame,
+                           {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with outputLayoutOut = " + std::to_string(out),
+                            "outputLayoutOut"},
+                           expected,
+                           [out](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
+                               AgaaVkFrame copy = *static_cast<const AgaaVkFrame*>(native);
+                               copy.outputLayoutOut = uint32_t(out);
+                               return call(view, f, &copy);
+                           });
     }
 }
 
-void composite(ViewDescription& description) {
-    description.desc.flags |= AGAA_VIEW_COMPOSITE;
-}
+void composite(ViewDescription& description) { description.desc.flags |= AGAA_VIEW_COMPOSITE; }
 
 // A frame that keeps the contents cannot discard them.
 void testDiscarded(Test& test) {
@@ -83,10 +82,10 @@ void testDiscarded(Test& test) {
     const Image expected = rig.render();
     AgaaFrame frame = rig.nextFrame();
     frame.background[3] = 0;
-    expectFrameRefused(
-        rig, frame,
-        {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with background[3] = 0 and outputLayoutIn = UNDEFINED", "outputLayoutIn"},
-        expected, withLayouts(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL));
+    expectFrameRefused(rig, frame,
+                       {AGAA_ERROR_OUT_OF_RANGE,
+                        rig.function() + " with background[3] = 0 and outputLayoutIn = UNDEFINED", "outputLayoutIn"},
+                       expected, withLayouts(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL));
 }
 
 // Frames that are recorded inline show the same image.

@@ -18,7 +18,8 @@ uint32_t shortRange(Test& test, const ViewDescription& description) {
     const AgaaSurface initial = AGAA_SURFACE_INIT;
     uint32_t count = 64;
     std::vector<AgaaSurface> surfaces(count, initial);
-    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, surfaces.data()), "agaaQueryMemory");
+    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, surfaces.data()),
+                   "agaaQueryMemory");
     for (const AgaaSurface& surface : surfaces)
         if (!std::strcmp(surface.name, "aggregates"))
             return uint32_t(surface.bytes);
@@ -64,7 +65,8 @@ void testOtherTier(Test& test) {
     AgaaFrame frame = pixelFrame(rig.device(), larger, rig.recorded + 1);
     test.requireOk(rig.record(frame), "a frame with another tier");
     const float masked[] = {0.25f, 0.75f, 0.5f};
-    expectColor(test, rig.device().readOutput(), 64, {32, 0, 48, 24}, masked, 0.01f, "the masked rectangle with another tier");
+    expectColor(test, rig.device().readOutput(), 64, {32, 0, 48, 24}, masked, 0.01f,
+                "the masked rectangle with another tier");
     test.requireOk(test.sdk.agaaResizeView(rig.view.get(), 32, 24), "agaaResizeView back");
     test.check(keysOf(test, rig.view.get()) == keys, "the first size has other keys than at first.");
     rig.device().setOutput(32, 24);
@@ -77,7 +79,8 @@ void testOtherTier(Test& test) {
 struct ShadowView : ViewParts {
     std::string text;
     ShadowView(Test& test, const std::string& word) : ViewParts(test.sdk, &test.device()) {
-        text = std::string("float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }\n#define ") + word + " )\n";
+        text =
+            std::string("float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }\n#define ") + word + " )\n";
         facts.shadowMapCount = 1;
         shadow.glsl = text.c_str();
         chain(shadow);
@@ -85,8 +88,9 @@ struct ShadowView : ViewParts {
 };
 
 // Words that passes may use after the function of the host.
-constexpr const char* words[] = {"samples", "left",  "group", "base",  "best",   "masks", "mask",  "sum",    "next",
-                                 "farthest", "members", "reach", "depth", "first", "other", "taken", "covered", "weight"};
+constexpr const char* words[] = {"samples", "left",  "group", "base",     "best",    "masks",
+                                 "mask",    "sum",   "next",  "farthest", "members", "reach",
+                                 "depth",   "first", "other", "taken",    "covered", "weight"};
 
 void testText(Test& test) {
     const ViewDescription description(&test.device());
@@ -98,7 +102,8 @@ void testText(Test& test) {
         const AgaaResult small = test.device().createView(test.sdk, context.get(), &parts.desc, &view);
         parts.desc.width = 64;
         parts.desc.height = 48;
-        const AgaaResult large = small ? small : test.device().createView(test.sdk, context.get(), &parts.desc, &larger);
+        const AgaaResult large =
+            small ? small : test.device().createView(test.sdk, context.get(), &parts.desc, &larger);
         if (!large && larger)
             test.sdk.agaaDestroyView(larger);
         context.log.lines.clear();
@@ -106,8 +111,9 @@ void testText(Test& test) {
         if (isFound) {
             const std::map<std::string, int64_t> before = device.vulkan.objects;
             const std::vector<uint64_t> keys = keysOf(test, view);
-            expectRefused(test, test.sdk.agaaResizeView(view, 64, 48), AGAA_ERROR_INVALID_ARGUMENT, context.log, "agaaResizeView",
-                          "agaaResizeView where a text does not compile in the passes of another tier", "AgaaShadowFunction");
+            expectRefused(
+                test, test.sdk.agaaResizeView(view, 64, 48), AGAA_ERROR_INVALID_ARGUMENT, context.log, "agaaResizeView",
+                "agaaResizeView where a text does not compile in the passes of another tier", "AgaaShadowFunction");
             test.check(device.vulkan.objects == before && keysOf(test, view) == keys,
                        "agaaResizeView fails because of a text, and changes the view.");
         }

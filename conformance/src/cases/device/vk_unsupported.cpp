@@ -17,8 +17,8 @@ void testDeviceOfOtherSort(Test& test) {
     vulkan.changeProperties = nullptr;
     for (const VkQueueFlags missing : {VK_QUEUE_GRAPHICS_BIT, VK_QUEUE_COMPUTE_BIT}) {
         vulkan.changeQueueFamily = [=](VkQueueFamilyProperties& p) { p.queueFlags &= ~missing; };
-        expectContextRefused(test, {"a queue family without the flag " + std::to_string(missing), AGAA_ERROR_UNSUPPORTED,
-                                    "queue family", interpose});
+        expectContextRefused(test, {"a queue family without the flag " + std::to_string(missing),
+                                    AGAA_ERROR_UNSUPPORTED, "queue family", interpose});
     }
 }
 
@@ -29,8 +29,9 @@ void testFeatures(Test& test) {
         VkPhysicalDeviceFeatures2 features =
             *static_cast<const VkPhysicalDeviceFeatures2*>(test.device().description().vk.enabledFeatures);
         features.features.*feature = VK_FALSE;
-        expectContextRefused(test, {"enabledFeatures without a feature shaderStorageImage…", AGAA_ERROR_UNSUPPORTED,
-                                    "storage images", [&](ContextDescription& d) { d.vk.enabledFeatures = &features; }});
+        expectContextRefused(test,
+                             {"enabledFeatures without a feature shaderStorageImage…", AGAA_ERROR_UNSUPPORTED,
+                              "storage images", [&](ContextDescription& d) { d.vk.enabledFeatures = &features; }});
     }
 }
 

@@ -44,8 +44,8 @@ MeshBuilder stalkMesh(const Stalk& stalk) {
         const glm::vec3 &a = stalk.nodes[i], &b = stalk.nodes[i + 1];
         const float taper = 1 - 0.75f * float(i) / kSegments;
         points.insert(points.end(), {a, glm::mix(a, b, 0.06f), glm::mix(a, b, 0.9f)});
-        radii.insert(radii.end(), {1.16f * taper * stalk.radius, 0.93f * taper * stalk.radius,
-                                   0.96f * taper * stalk.radius});
+        radii.insert(radii.end(),
+                     {1.16f * taper * stalk.radius, 0.93f * taper * stalk.radius, 0.96f * taper * stalk.radius});
     }
     points.push_back(stalk.nodes.back());
     radii.push_back(0.15f * stalk.radius);
@@ -62,8 +62,7 @@ void addLeaf(MeshBuilder& mesh, const glm::vec3& base, const glm::vec3& directio
     const float blue = random.in(0.6f, 1.0f);
     mesh.color = glm::u8vec4(255.0f * glm::vec4(tint * red, tint, tint * blue, 1));
     const glm::vec3 fall{0, -length * random.in(0.15f, 0.5f), 0};
-    const std::array points{base, base + 0.45f * length * direction + 0.25f * fall,
-                            base + length * direction + fall};
+    const std::array points{base, base + 0.45f * length * direction + 0.25f * fall, base + length * direction + fall};
     const std::array widths{0.25f * width, width, 0.0f};
     const glm::vec3 level = glm::cross(direction, glm::vec3(0, 1, 0));
     const glm::vec3 roll = 0.5f * unitVector(random);
@@ -112,9 +111,7 @@ MeshBuilder litter(Random& random) {
     return mesh;
 }
 
-float soil(float x, float z) {
-    return 0.06f * std::sin(0.9f * x + 0.4f) * std::cos(0.7f * z) - 0.03f;
-}
+float soil(float x, float z) { return 0.06f * std::sin(0.9f * x + 0.4f) * std::cos(0.7f * z) - 0.03f; }
 
 // Returns the feet of the stalks. They are at least a hand's breadth apart and leave the path to the eye free.
 std::vector<glm::vec2> feet(Random& random) {
@@ -122,9 +119,8 @@ std::vector<glm::vec2> feet(Random& random) {
     while (result.size() < kStalks) {
         const glm::vec2 p{random.in(-6.5f, 6.5f), random.in(-7.5f, 5.5f)};
         const bool path = std::abs(p.x - 0.15f * p.y) < 0.7f && p.y > -2;
-        const bool crowded = std::any_of(result.begin(), result.end(), [&](const glm::vec2& q) {
-            return glm::distance(p, q) < 0.35f;
-        });
+        const bool crowded =
+            std::any_of(result.begin(), result.end(), [&](const glm::vec2& q) { return glm::distance(p, q) < 0.35f; });
         if (!path && !crowded)
             result.push_back(p);
     }
@@ -136,8 +132,7 @@ std::vector<glm::vec2> feet(Random& random) {
 Scene makeBamboo() {
     Scene scene;
     Random random(2016);
-    const std::array<uint32_t, kVariants> stalkColors{0x6f8f3a, 0x8a9a45, 0x4f7a34,
-                                                      0xa89a4c, 0x5d8540, 0x7c8c50};
+    const std::array<uint32_t, kVariants> stalkColors{0x6f8f3a, 0x8a9a45, 0x4f7a34, 0xa89a4c, 0x5d8540, 0x7c8c50};
     const std::array<uint32_t, 3> leafColors{0x5f8f35, 0x86a843, 0x437a38};
     addMaterial(scene, "soil", 0x6b5a44, 0.9f);
     const uint32_t earth = lastMaterial(scene);
@@ -158,17 +153,15 @@ Scene makeBamboo() {
         const uint32_t stalkMaterial = lastMaterial(scene);
         const Stalk stalk = stalkShape(random);
         const Leaves leaves = leavesOf(stalk, random);
-        variants.push_back(
-            {addMesh(scene, stalkMesh(stalk), stalkMaterial), addMesh(scene, leaves.twigs, twigs),
-             addMesh(scene, leaves.leaves, firstLeaf + i % uint32_t(leafColors.size()))});
+        variants.push_back({addMesh(scene, stalkMesh(stalk), stalkMaterial), addMesh(scene, leaves.twigs, twigs),
+                            addMesh(scene, leaves.leaves, firstLeaf + i % uint32_t(leafColors.size()))});
     }
     for (const glm::vec2& foot : feet(random)) {
         const Variant& variant = variants[random.below(kVariants)];
         const double turn = random.in(0, 6.2832f);
         const double scale = random.in(0.8f, 1.1f);
         const double lean = random.in(-0.04f, 0.04f);
-        const glm::dmat4 transform =
-            placement({foot.x, soil(foot.x, foot.y) - 0.05f, foot.y}, turn, scale, lean);
+        const glm::dmat4 transform = placement({foot.x, soil(foot.x, foot.y) - 0.05f, foot.y}, turn, scale, lean);
         place(scene, variant.stalk, transform);
         place(scene, variant.twigs, transform);
         place(scene, variant.leaves, transform);

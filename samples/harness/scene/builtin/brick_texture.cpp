@@ -28,9 +28,7 @@ Brick brickAt(int x, int y) {
     return {row, column, std::min({u, width - u, v, height - v}) - 2.5f};
 }
 
-int wrapped(int i) {
-    return (i + kSize) % kSize;
-}
+int wrapped(int i) { return (i + kSize) % kSize; }
 
 // Returns the height in texels: rounded bricks with a rough face in flat, sandy mortar.
 float heightAt(int x, int y) {
@@ -59,17 +57,15 @@ BrickTextures brickTextures() {
         for (int x = 0; x < kSize; ++x) {
             const Brick brick = brickAt(x, y);
             const float burnt = tileableNoise(float(brick.column), float(brick.row), 64, 21);
-            const float stain = 0.8f + 0.4f * tileableNoise(16.0f * float(x) / kSize,
-                                                            16.0f * float(y) / kSize, 16, 3);
+            const float stain = 0.8f + 0.4f * tileableNoise(16.0f * float(x) / kSize, 16.0f * float(y) / kSize, 16, 3);
             const float isBrick = std::clamp(0.5f + brick.edge, 0.0f, 1.0f);
             const glm::vec3 color = stain * glm::mix(mortar, glm::mix(dark, light, burnt), isBrick);
             for (int c = 0; c < 3; ++c)
                 result.color.rgba.push_back(srgbByte(color[c]));
             result.color.rgba.push_back(255);
             // Green points upwards in the texture, towards smaller y.
-            const glm::vec3 n =
-                glm::normalize(glm::vec3(heightAt(x - 1, y) - heightAt(x + 1, y),
-                                         heightAt(x, y + 1) - heightAt(x, y - 1), 2.0f));
+            const glm::vec3 n = glm::normalize(
+                glm::vec3(heightAt(x - 1, y) - heightAt(x + 1, y), heightAt(x, y + 1) - heightAt(x, y - 1), 2.0f));
             for (int c = 0; c < 3; ++c)
                 result.normal.rgba.push_back(uint8_t(std::lround(127.5f + 127.5f * n[c])));
             result.normal.rgba.push_back(255);

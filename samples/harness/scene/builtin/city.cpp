@@ -22,12 +22,11 @@ constexpr int kHousesPerSide = 5;
 constexpr float kNear = 8.0f;
 
 struct Materials {
-    uint32_t asphalt, pavement, brick, plaster, plaster2, stone, frame, darkGlass, litGlass, iron,
-        green, steel, wood, wood2, cable, lamp;
+    uint32_t asphalt, pavement, brick, plaster, plaster2, stone, frame, darkGlass, litGlass, iron, green, steel, wood,
+        wood2, cable, lamp;
 };
 
-uint32_t newMaterial(Scene& scene, const char* name, uint32_t color, float roughness,
-                     float metallic = 0) {
+uint32_t newMaterial(Scene& scene, const char* name, uint32_t color, float roughness, float metallic = 0) {
     addMaterial(scene, name, color, roughness, metallic);
     return lastMaterial(scene);
 }
@@ -85,15 +84,13 @@ struct Window {
     uint32_t frame, dark, lit, balcony;
 };
 
-void addHouse(Scene& scene, const Materials& m, const Window& window, int index, float side,
-              Random& random) {
+void addHouse(Scene& scene, const Materials& m, const Window& window, int index, float side, Random& random) {
     const std::array walls{m.brick, m.plaster, m.brick, m.plaster2};
     const float height = 8.5f + float(random.below(4)) * 1.2f;
     const float front = kNear - kHouseLength * float(index);
     const float middle = front - 0.5f * kHouseLength;
     MeshBuilder wall, trim;
-    const float inner =
-        kHouse + (side > 0 ? 0.0f : 2.4f); // the left fronts stand behind a colonnade
+    const float inner = kHouse + (side > 0 ? 0.0f : 2.4f); // the left fronts stand behind a colonnade
     const float low = std::min(side * inner, side * (inner + 6));
     // The brick texture covers a metre.
     wall.box({low, 0, front - kHouseLength}, {low + 6, height, front}, 1.0f);
@@ -115,17 +112,15 @@ void addHouse(Scene& scene, const Materials& m, const Window& window, int index,
 void addHouses(Scene& scene, const Materials& m, Random& random) {
     MeshBuilder pane;
     pane.quad({-0.5f, 0, 0.02f}, {1, 0, 0}, {0, 1.6f, 0});
-    const Window window{addMesh(scene, windowFrame(1.0f, 1.6f), m.frame),
-                        addMesh(scene, pane, m.darkGlass), addMesh(scene, pane, m.litGlass),
-                        addMesh(scene, balcony(1.7f), m.iron)};
+    const Window window{addMesh(scene, windowFrame(1.0f, 1.6f), m.frame), addMesh(scene, pane, m.darkGlass),
+                        addMesh(scene, pane, m.litGlass), addMesh(scene, balcony(1.7f), m.iron)};
     const uint32_t antenna = addMesh(scene, roofAntenna(), m.steel);
     for (int i = 0; i < kHousesPerSide; ++i)
         for (const float side : {-1.0f, 1.0f}) {
             addHouse(scene, m, window, i, side, random);
             const double turn = random.in(0, 6.2832f);
             place(scene, antenna,
-                  placement({side * (kHouse + 3.0f), 8.5, kNear - kHouseLength * (i + 0.5)}, turn,
-                            1.6));
+                  placement({side * (kHouse + 3.0f), 8.5, kNear - kHouseLength * (i + 0.5)}, turn, 1.6));
         }
 }
 
@@ -147,8 +142,7 @@ void addFences(Scene& scene, const Materials& m) {
     for (int i = 0; i < 16; ++i)
         place(scene, railing, facingRoad(1, kRoad + 0.25f, 0.14f, 3.0f - 2.0f * float(i)));
     for (int i = 0; i < 14; ++i)
-        place(scene, i % 5 == 4 ? painted : spikes,
-              facingRoad(-1, kRoad + 0.3f, 0.14f, -4.0f - 2.2f * float(i)));
+        place(scene, i % 5 == 4 ? painted : spikes, facingRoad(-1, kRoad + 0.3f, 0.14f, -4.0f - 2.2f * float(i)));
 }
 
 // Poles along both kerbs, wires between neighbours and across the street.
@@ -161,8 +155,7 @@ void addPolesAndWires(Scene& scene, const Materials& m) {
     for (int i = 0; i < 6; ++i) {
         const float z = 4.5f - 8.0f * float(i);
         for (const float side : {-1.0f, 1.0f}) {
-            const glm::dmat4 at =
-                placement({side * (kRoad + 0.6), 0.14, z}, side > 0 ? glm::pi<double>() : 0.0);
+            const glm::dmat4 at = placement({side * (kRoad + 0.6), 0.14, z}, side > 0 ? glm::pi<double>() : 0.0);
             place(scene, pole, at);
             place(scene, lamp, at);
             if (i == 5)
@@ -185,8 +178,7 @@ void addCafe(Scene& scene, const Materials& m, Random& random) {
     const CafeChair chair = cafeChair();
     const CafeTable table = cafeTable();
     const uint32_t chairTubes = addMesh(scene, chair.tubes, m.steel);
-    const std::array slats{addMesh(scene, chair.slats, m.wood),
-                           addMesh(scene, chair.slats, m.wood2)};
+    const std::array slats{addMesh(scene, chair.slats, m.wood), addMesh(scene, chair.slats, m.wood2)};
     const uint32_t tableTubes = addMesh(scene, table.tubes, m.iron);
     const uint32_t tableTop = addMesh(scene, table.top, m.frame);
     for (int i = 0; i < 9; ++i) {

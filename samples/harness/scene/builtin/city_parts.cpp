@@ -15,8 +15,7 @@ void addBar(MeshBuilder& mesh, const glm::vec3& from, const glm::vec3& to, float
 glm::vec2 flute(float angle, float radius) {
     constexpr float count = 20, depth = 0.045f;
     const float wave = std::cos(count * angle);
-    return {radius * (1 - depth * (1 + wave) / 2),
-            radius * depth * count * std::sin(count * angle) / 2};
+    return {radius * (1 - depth * (1 + wave) / 2), radius * depth * count * std::sin(count * angle) / 2};
 }
 
 void addShaft(MeshBuilder& mesh, float radius, float bottom, float top) {
@@ -110,8 +109,7 @@ MeshBuilder fencePanel(float width, float height, int bars, bool spikes) {
         addBar(mesh, {at, spikes ? 0.04f : 0.12f, 0}, {at, tip, 0}, 0.008f);
         if (!spikes)
             continue;
-        const std::array points{glm::vec3(at, tip, 0), glm::vec3(at, tip + 0.03f, 0),
-                                glm::vec3(at, tip + 0.12f, 0)};
+        const std::array points{glm::vec3(at, tip, 0), glm::vec3(at, tip + 0.03f, 0), glm::vec3(at, tip + 0.12f, 0)};
         const std::array radii{0.009f, 0.016f, 0.0f};
         mesh.tube(points, radii, 6, false);
     }
@@ -120,8 +118,7 @@ MeshBuilder fencePanel(float width, float height, int bars, bool spikes) {
 
 MeshBuilder wirePole() {
     MeshBuilder mesh;
-    const std::array points{glm::vec3(0), glm::vec3(0, 0.6f, 0), glm::vec3(0, 0.62f, 0),
-                            glm::vec3(0, 6.6f, 0)};
+    const std::array points{glm::vec3(0), glm::vec3(0, 0.6f, 0), glm::vec3(0, 0.62f, 0), glm::vec3(0, 6.6f, 0)};
     const std::array radii{0.11f, 0.1f, 0.07f, 0.05f};
     mesh.tube(points, radii, 16, true);
     for (const float y : {5.7f, 6.2f}) {
@@ -172,8 +169,7 @@ CafeChair cafeChair() {
                               glm::vec3(x, 0.46f, -0.17f),       glm::vec3(x, 0.62f, -0.21f),
                               glm::vec3(x * 0.9f, 0.86f, -0.27f)};
         chair.tubes.tube(smoothCurve(side, 2), radius, 6, true);
-        const std::array back{glm::vec3(x * 1.1f, 0, -0.26f), glm::vec3(x, 0.25f, -0.2f),
-                              glm::vec3(x, 0.45f, -0.12f)};
+        const std::array back{glm::vec3(x * 1.1f, 0, -0.26f), glm::vec3(x, 0.25f, -0.2f), glm::vec3(x, 0.45f, -0.12f)};
         chair.tubes.tube(smoothCurve(back, 2), radius, 6, true);
     }
     const std::array top{glm::vec3(-0.18f, 0.86f, -0.27f), glm::vec3(-0.1f, 0.9f, -0.29f),
@@ -197,8 +193,7 @@ CafeTable cafeTable() {
     for (int i = 0; i < 3; ++i) {
         const float a = 6.28318531f * float(i) / 3;
         const glm::vec3 out{std::sin(a), 0, std::cos(a)};
-        const std::array leg{0.34f * out, 0.12f * out + glm::vec3(0, 0.3f, 0),
-                             0.1f * out + glm::vec3(0, 0.5f, 0),
+        const std::array leg{0.34f * out, 0.12f * out + glm::vec3(0, 0.3f, 0), 0.1f * out + glm::vec3(0, 0.5f, 0),
                              0.28f * out + glm::vec3(0, 0.72f, 0)};
         table.tubes.tube(smoothCurve(leg, 5), 0.01f, 8, true);
     }

@@ -14,31 +14,26 @@ constexpr int kBushes = 34;
 constexpr int kGrassPatches = 56;
 constexpr int kBladesPerPatch = 420;
 
-float meadow(float x, float z) {
-    return 0.18f * std::sin(0.35f * x) * std::cos(0.28f * z + 0.5f);
-}
+float meadow(float x, float z) { return 0.18f * std::sin(0.35f * x) * std::cos(0.28f * z + 0.5f); }
 
 // A square card with its foot at `base`, growing along `up`.
-void addCard(MeshBuilder& mesh, const glm::vec3& base, const glm::vec3& up, float size,
-             Random& random) {
+void addCard(MeshBuilder& mesh, const glm::vec3& base, const glm::vec3& up, float size, Random& random) {
     const glm::vec3 spun = glm::cross(up, unitVector(random));
-    const glm::vec3 across = glm::length(spun) > 0.05f
-                                 ? glm::normalize(spun)
-                                 : glm::normalize(glm::cross(up, glm::vec3(0.6f, 0, 0.8f)));
+    const glm::vec3 across =
+        glm::length(spun) > 0.05f ? glm::normalize(spun) : glm::normalize(glm::cross(up, glm::vec3(0.6f, 0, 0.8f)));
     const uint8_t tint = uint8_t(165 + random.below(91));
     mesh.color = {tint, tint, tint, 255};
     mesh.quad(base - 0.5f * size * across, size * across, size * up);
 }
 
 // Cards through an ellipsoid, denser near its surface, pointing outwards and up.
-void addCrown(MeshBuilder& mesh, const glm::vec3& centre, const glm::vec3& radii, int cards,
-              float size, Random& random) {
+void addCrown(MeshBuilder& mesh, const glm::vec3& centre, const glm::vec3& radii, int cards, float size,
+              Random& random) {
     for (int i = 0; i < cards; ++i) {
         const glm::vec3 n = unitVector(random);
         const float depth = random.in(0.55f, 1.0f);
         const glm::vec3 lean = 0.6f * unitVector(random) + glm::vec3(0, 0.35f, 0);
-        addCard(mesh, centre + depth * radii * n, glm::normalize(n + lean),
-                size * random.in(0.75f, 1.2f), random);
+        addCard(mesh, centre + depth * radii * n, glm::normalize(n + lean), size * random.in(0.75f, 1.2f), random);
     }
 }
 
@@ -61,8 +56,8 @@ Plant bush(Random& random) {
 
 Plant tree(Random& random) {
     Plant plant;
-    const std::array trunk{glm::vec3(0, -0.1f, 0), glm::vec3(0.06f, 1.2f, 0.04f),
-                           glm::vec3(-0.05f, 2.6f, 0.1f), glm::vec3(0.05f, 4.3f, 0)};
+    const std::array trunk{glm::vec3(0, -0.1f, 0), glm::vec3(0.06f, 1.2f, 0.04f), glm::vec3(-0.05f, 2.6f, 0.1f),
+                           glm::vec3(0.05f, 4.3f, 0)};
     const std::array radii{0.2f, 0.14f, 0.11f, 0.03f};
     plant.wood.tube(trunk, radii, 10, false);
     for (int i = 0; i < 14; ++i) {
@@ -84,8 +79,7 @@ Plant tree(Random& random) {
 MeshBuilder grass(float halfSize, Random& random) {
     MeshBuilder mesh;
     for (int i = 0; i < kBladesPerPatch; ++i) {
-        const glm::vec3 base{random.in(-halfSize, halfSize), -0.03f,
-                             random.in(-halfSize, halfSize)};
+        const glm::vec3 base{random.in(-halfSize, halfSize), -0.03f, random.in(-halfSize, halfSize)};
         const float turn = random.in(0, 6.2832f);
         const glm::vec3 side{std::cos(turn), 0, std::sin(turn)};
         const glm::vec3 out{-side.z, 0, side.x};
@@ -131,10 +125,9 @@ Scene makeFoliage() {
     const uint32_t earth = lastMaterial(scene);
     addMaterial(scene, "bark", 0x6e5640, 0.8f);
     const uint32_t bark = lastMaterial(scene);
-    const std::array leafMaterials{
-        addLeafMaterial(scene, {11, 9, 0.42f, 0.36f, 0x4f7d33, 0x86a84a}),
-        addLeafMaterial(scene, {12, 13, 0.36f, 0.2f, 0x6f8f45, 0xb0b860}),
-        addLeafMaterial(scene, {13, 7, 0.45f, 0.5f, 0x93432f, 0xcf8a3c})};
+    const std::array leafMaterials{addLeafMaterial(scene, {11, 9, 0.42f, 0.36f, 0x4f7d33, 0x86a84a}),
+                                   addLeafMaterial(scene, {12, 13, 0.36f, 0.2f, 0x6f8f45, 0xb0b860}),
+                                   addLeafMaterial(scene, {13, 7, 0.45f, 0.5f, 0x93432f, 0xcf8a3c})};
     const uint32_t firstGrass = uint32_t(scene.materials.size());
     addMaterial(scene, "green grass", 0x7fa548, 0.45f).doubleSided = true;
     addMaterial(scene, "dry grass", 0xc2b46c, 0.5f).doubleSided = true;
@@ -151,9 +144,8 @@ Scene makeFoliage() {
     for (uint32_t i = 0; i < 4; ++i)
         grasses[i] = addMesh(scene, grass(patch, random), firstGrass + (i == 3 ? 1 : 0));
 
-    const std::array treeFeet{glm::vec2(-3.6f, -2.5f), glm::vec2(3.4f, -3.5f),
-                              glm::vec2(0.4f, -7.5f), glm::vec2(-7.2f, -6.0f),
-                              glm::vec2(7.0f, -7.0f)};
+    const std::array treeFeet{glm::vec2(-3.6f, -2.5f), glm::vec2(3.4f, -3.5f), glm::vec2(0.4f, -7.5f),
+                              glm::vec2(-7.2f, -6.0f), glm::vec2(7.0f, -7.0f)};
     for (size_t i = 0; i < treeFeet.size(); ++i)
         placePlant(scene, trees[i % 3], treeFeet[i].x, treeFeet[i].y, random);
     for (uint32_t i = 0; i < kBushes; ++i) {

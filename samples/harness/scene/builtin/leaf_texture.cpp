@@ -53,8 +53,7 @@ LeafPoint leafPoint(const Leaf& leaf, const glm::vec2& p) {
     const float s = std::clamp(along, 0.0f, 1.0f);
     const float half = leaf.halfWidth * std::sqrt(s) * (1 - s) * 2.6f; // the leaf is broadest at a third of its length
     const float beyond = std::max({0.0f, -along, along - 1}) * leaf.length;
-    return {half - std::fabs(across) - beyond, s,
-            half > 0 ? std::clamp(across / half, -1.0f, 1.0f) : 0.0f};
+    return {half - std::fabs(across) - beyond, s, half > 0 ? std::clamp(across / half, -1.0f, 1.0f) : 0.0f};
 }
 
 } // namespace
@@ -85,8 +84,7 @@ Texture leafTexture(const LeafPicture& picture) {
                     continue;
                 nearest = at.inside;
                 const float rib = std::fabs(at.across) < 0.08f ? 1.3f : 1.0f;
-                const float veins =
-                    0.88f + 0.12f * std::cos(60 * (at.along - 0.25f * std::fabs(at.across)));
+                const float veins = 0.88f + 0.12f * std::cos(60 * (at.along - 0.25f * std::fabs(at.across)));
                 color = rib * veins * glm::mix(old, young, leaf.youth);
             }
             const float alpha = std::clamp(0.5f + 0.5f * inside / kSoftness, 0.0f, 1.0f);

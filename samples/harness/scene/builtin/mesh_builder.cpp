@@ -38,9 +38,7 @@ uint32_t MeshBuilder::add(const glm::vec3& position, const glm::vec3& normal, co
     return uint32_t(vertices.size() - 1);
 }
 
-void MeshBuilder::triangle(uint32_t a, uint32_t b, uint32_t c) {
-    indices.insert(indices.end(), {a, b, c});
-}
+void MeshBuilder::triangle(uint32_t a, uint32_t b, uint32_t c) { indices.insert(indices.end(), {a, b, c}); }
 
 void MeshBuilder::quad(const glm::vec3& corner, const glm::vec3& edgeU, const glm::vec3& edgeV,
                        const glm::vec2& uvScale) {
@@ -74,8 +72,7 @@ void MeshBuilder::box(const glm::vec3& low, const glm::vec3& high, float uvPerMe
     quad(low, x, z, {s * d.x, s * d.z});
 }
 
-void MeshBuilder::cap(const glm::vec3& centre, const glm::vec3& normal, uint32_t firstRing,
-                      int sides, bool reversed) {
+void MeshBuilder::cap(const glm::vec3& centre, const glm::vec3& normal, uint32_t firstRing, int sides, bool reversed) {
     const uint32_t middle = add(centre, normal, {0.5f, 0.5f});
     for (int j = 0; j < sides; ++j) {
         const float a = kTurn * float(j) / float(sides);
@@ -88,8 +85,7 @@ void MeshBuilder::cap(const glm::vec3& centre, const glm::vec3& normal, uint32_t
     }
 }
 
-void MeshBuilder::tube(std::span<const glm::vec3> points, std::span<const float> radii, int sides,
-                       bool capped) {
+void MeshBuilder::tube(std::span<const glm::vec3> points, std::span<const float> radii, int sides, bool capped) {
     if (points.size() < 2)
         return;
     float length = 0;
@@ -108,8 +104,7 @@ void MeshBuilder::tube(std::span<const glm::vec3> points, std::span<const float>
         u = glm::normalize(u - t * glm::dot(u, t)); // transported without twist
         const glm::vec3 v = glm::cross(t, u);
         // The normal leans forward if the radius shrinks.
-        const float slope =
-            (radii[after] - radii[before]) / glm::distance(points[after], points[before]);
+        const float slope = (radii[after] - radii[before]) / glm::distance(points[after], points[before]);
         if (i > 0)
             travelled += glm::distance(points[i - 1], points[i]);
         for (int j = 0; j <= sides; ++j) {
@@ -153,10 +148,8 @@ void MeshBuilder::sphere(const glm::vec3& centre, float radius, int rings, int s
         for (int j = 0; j <= sides; ++j) {
             const float down = 0.5f * kTurn * float(i) / float(rings);
             const float around = kTurn * float(j % sides) / float(sides);
-            const glm::vec3 n{std::sin(down) * std::sin(around), std::cos(down),
-                              std::sin(down) * std::cos(around)};
-            add(centre + radius * n, glm::normalize(n),
-                {float(j) / float(sides), float(i) / float(rings)});
+            const glm::vec3 n{std::sin(down) * std::sin(around), std::cos(down), std::sin(down) * std::cos(around)};
+            add(centre + radius * n, glm::normalize(n), {float(j) / float(sides), float(i) / float(rings)});
         }
     const uint32_t row = uint32_t(sides) + 1;
     for (uint32_t i = 0; i < uint32_t(rings); ++i)
@@ -169,8 +162,7 @@ void MeshBuilder::sphere(const glm::vec3& centre, float radius, int rings, int s
         }
 }
 
-void MeshBuilder::blade(std::span<const glm::vec3> points, std::span<const float> widths,
-                        const glm::vec3& across) {
+void MeshBuilder::blade(std::span<const glm::vec3> points, std::span<const float> widths, const glm::vec3& across) {
     const uint32_t first = uint32_t(vertices.size());
     const size_t last = points.size() - 1;
     for (size_t i = 0; i <= last; ++i) {
@@ -200,8 +192,7 @@ void MeshBuilder::ground(float halfSize, int cells, const Height& height, float 
         for (int j = 0; j <= cells; ++j) {
             const float x = -halfSize + step * float(j), z = -halfSize + step * float(i);
             const float e = 0.5f * step;
-            const glm::vec3 n{height(x - e, z) - height(x + e, z), 2 * e,
-                              height(x, z - e) - height(x, z + e)};
+            const glm::vec3 n{height(x - e, z) - height(x + e, z), 2 * e, height(x, z - e) - height(x, z + e)};
             add({x, height(x, z), z}, glm::normalize(n), uvPerMetre * glm::vec2(x, z));
         }
     const uint32_t row = uint32_t(cells) + 1;
@@ -228,8 +219,7 @@ uint8_t srgbByte(float linear) {
     return uint8_t(s * 255.0f + 0.5f);
 }
 
-Material& addMaterial(Scene& scene, std::string name, uint32_t srgbColor, float roughness,
-                      float metallic) {
+Material& addMaterial(Scene& scene, std::string name, uint32_t srgbColor, float roughness, float metallic) {
     Material material;
     material.name = std::move(name);
     material.baseColor = glm::vec4(linearFromSrgb(srgbColor), 1);
@@ -239,9 +229,7 @@ Material& addMaterial(Scene& scene, std::string name, uint32_t srgbColor, float 
     return scene.materials.back();
 }
 
-uint32_t lastMaterial(const Scene& scene) {
-    return uint32_t(scene.materials.size() - 1);
-}
+uint32_t lastMaterial(const Scene& scene) { return uint32_t(scene.materials.size() - 1); }
 
 uint32_t addMesh(Scene& scene, const MeshBuilder& builder, uint32_t material) {
     Mesh mesh;
@@ -257,9 +245,7 @@ uint32_t addMesh(Scene& scene, const MeshBuilder& builder, uint32_t material) {
     return uint32_t(scene.meshes.size() - 1);
 }
 
-void place(Scene& scene, uint32_t mesh, const glm::dmat4& transform) {
-    scene.instances.push_back({mesh, transform});
-}
+void place(Scene& scene, uint32_t mesh, const glm::dmat4& transform) { scene.instances.push_back({mesh, transform}); }
 
 glm::dmat4 placement(const glm::dvec3& position, double turn, double scale, double lean) {
     glm::dmat4 m = glm::translate(glm::dmat4(1), position);
@@ -276,9 +262,8 @@ std::vector<glm::vec3> smoothCurve(std::span<const glm::vec3> points, int steps)
                         &d = points[std::min(i + 2, last)];
         for (int s = 0; s < steps; ++s) {
             const float t = float(s) / float(steps);
-            curve.push_back(0.5f *
-                            (2.0f * b + t * (c - a) + t * t * (2.0f * a - 5.0f * b + 4.0f * c - d) +
-                             t * t * t * (3.0f * b - a - 3.0f * c + d)));
+            curve.push_back(0.5f * (2.0f * b + t * (c - a) + t * t * (2.0f * a - 5.0f * b + 4.0f * c - d) +
+                                    t * t * t * (3.0f * b - a - 3.0f * c + d)));
         }
     }
     curve.push_back(points[last]);

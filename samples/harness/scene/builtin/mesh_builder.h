@@ -31,31 +31,27 @@ public:
     // uv is in metres times uvPerMetre.
     void box(const glm::vec3& low, const glm::vec3& high, float uvPerMetre = 1);
     // Adds a smooth tube along a polyline with a radius per point. A radius of 0 makes a tip.
-    void tube(std::span<const glm::vec3> points, std::span<const float> radii, int sides,
-              bool capped);
+    void tube(std::span<const glm::vec3> points, std::span<const float> radii, int sides, bool capped);
     void tube(std::span<const glm::vec3> points, float radius, int sides, bool capped);
     void cylinder(const glm::vec3& bottom, const glm::vec3& top, float radius, int sides);
     void sphere(const glm::vec3& centre, float radius, int rings, int sides);
     // Adds a ribbon along a polyline with a width per point, for double-sided materials. It spreads along `across`,
     // which need not be unit or perpendicular. A last width of 0 makes a tip.
-    void blade(std::span<const glm::vec3> points, std::span<const float> widths,
-               const glm::vec3& across);
+    void blade(std::span<const glm::vec3> points, std::span<const float> widths, const glm::vec3& across);
     // Adds a square of terrain around the origin. uv is in metres times uvPerMetre.
     void ground(float halfSize, int cells, const Height& height, float uvPerMetre = 1);
 
 private:
     uint32_t add(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv);
     void triangle(uint32_t a, uint32_t b, uint32_t c);
-    void cap(const glm::vec3& centre, const glm::vec3& normal, uint32_t firstRing, int sides,
-             bool reversed);
+    void cap(const glm::vec3& centre, const glm::vec3& normal, uint32_t firstRing, int sides, bool reversed);
 };
 
 // Converts a hexadecimal sRGB colour to linear.
 glm::vec3 linearFromSrgb(uint32_t rgb);
 uint8_t srgbByte(float linear);
 
-Material& addMaterial(Scene& scene, std::string name, uint32_t srgbColor, float roughness,
-                      float metallic = 0);
+Material& addMaterial(Scene& scene, std::string name, uint32_t srgbColor, float roughness, float metallic = 0);
 // Returns the index of the material that was added last.
 uint32_t lastMaterial(const Scene& scene);
 

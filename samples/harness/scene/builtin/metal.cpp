@@ -50,17 +50,11 @@ MeshBuilder wire(Random& random) {
 // Returns the outline of a coat hanger in the plane z = 0: shoulders, bar and hook.
 MeshBuilder hanger(float width, float radius) {
     const float w = 0.5f * width;
-    const std::array outline{glm::vec3(0, 0.02f, 0),
-                             glm::vec3(w * 0.5f, -0.05f, 0),
-                             glm::vec3(w * 0.95f, -0.12f, 0),
-                             glm::vec3(w, -0.15f, 0),
-                             glm::vec3(w * 0.9f, -0.165f, 0),
-                             glm::vec3(0, -0.165f, 0),
-                             glm::vec3(-w * 0.9f, -0.165f, 0),
-                             glm::vec3(-w, -0.15f, 0),
-                             glm::vec3(-w * 0.95f, -0.12f, 0),
-                             glm::vec3(-w * 0.5f, -0.05f, 0),
-                             glm::vec3(0, 0.02f, 0)};
+    const std::array outline{
+        glm::vec3(0, 0.02f, 0),           glm::vec3(w * 0.5f, -0.05f, 0),  glm::vec3(w * 0.95f, -0.12f, 0),
+        glm::vec3(w, -0.15f, 0),          glm::vec3(w * 0.9f, -0.165f, 0), glm::vec3(0, -0.165f, 0),
+        glm::vec3(-w * 0.9f, -0.165f, 0), glm::vec3(-w, -0.15f, 0),        glm::vec3(-w * 0.95f, -0.12f, 0),
+        glm::vec3(-w * 0.5f, -0.05f, 0),  glm::vec3(0, 0.02f, 0)};
     MeshBuilder mesh;
     mesh.tube(smoothCurve(outline, 4), radius, 8, true);
     std::vector<glm::vec3> hook{{0, 0.01f, 0}, {0, 0.05f, 0}};

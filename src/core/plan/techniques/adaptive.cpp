@@ -25,8 +25,9 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
     view.adaptive.pNext = nullptr;
     checkFlags(a.flags,
                AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER |
-                   AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP | AGAA_ADAPTIVE_DEVICE_PATTERN | AGAA_ADAPTIVE_BUCKETS |
-                   AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM | AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS,
+                   AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP | AGAA_ADAPTIVE_DEVICE_PATTERN |
+                   AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM |
+                   AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS,
                "AgaaAdaptiveSampling::flags");
     checkRange(double(a.depthScale), 0.0, 1e12, "AgaaAdaptiveSampling::depthScale");
     checkRange(double(a.normalScale), 0.0, 1e6, "AgaaAdaptiveSampling::normalScale");
@@ -44,7 +45,9 @@ void setAdaptiveConstants(PlanBuilder& b) {
     const AgaaAdaptiveSampling& a = b.view().adaptive;
     Constants& c = b.passConstants();
     c[AGAA_ADAPTIVE_FLAGS] = uint32_t(a.flags);
-    const auto set = [&](Constant constant, float value) { c[constant] = value > 0 ? std::bit_cast<uint32_t>(value) : 0; };
+    const auto set = [&](Constant constant, float value) {
+        c[constant] = value > 0 ? std::bit_cast<uint32_t>(value) : 0;
+    };
     set(AGAA_GLOSS_WEIGHT, a.glossWeight);
     set(AGAA_DEPTH_SCALE, a.depthScale);
     set(AGAA_NORMAL_SCALE, a.normalScale);
@@ -91,7 +94,8 @@ struct Adaptive {
         if (!ids)
             return gbuffer.bind(b, pass);
         ids->bind(b, pass);
-        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.view().layout).fields); // for the precision of features
+        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R,
+                  packGBuffer(b.view().layout).fields); // for the precision of features
     }
 
     void bindDepth(PlanBuilder& b, Pass& pass) const {
@@ -170,8 +174,8 @@ void addList(PlanBuilder& b, const Adaptive& a) {
 
 // Rejects options that shade more samples than the differences demand.
 void checkTarget(const ViewSettings& view) {
-    constexpr uint64_t excluded = AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_BUCKETS |
-                                  AGAA_ADAPTIVE_TILE_MAXIMUM;
+    constexpr uint64_t excluded =
+        AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_TILE_MAXIMUM;
     require(!hasTarget(view) ||
                 (has(view, AGAA_ADAPTIVE_GEOMETRY) && !has(view, excluded) && view.adaptive.countMemory == 0),
             AGAA_ERROR_UNSUPPORTED,
@@ -224,11 +228,17 @@ static ShadingWork work(const ViewSettings& view) {
     return {view.samples, view.adaptive.flags & AGAA_ADAPTIVE_EQUAL_WEIGHTS ? 1 : view.samples};
 }
 
-static const TechniqueSettings adaptiveSettings = {.sType = AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, .read = readAdaptive};
+static const TechniqueSettings adaptiveSettings = {.sType = AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING,
+                                                   .read = readAdaptive};
 static constexpr const GenerationTier* tiers[] = {&sampleIdsTier, &sampleGBufferTier};
 static constexpr const TechniqueSettings* settings[] = {&adaptiveSettings};
-const Technique adaptiveTechnique = {.name = "adaptive", .maxSamples = 32, .tiers = tiers, .settings = settings,
-                                     .build = build, .work = work, .resolve = resolve,
+const Technique adaptiveTechnique = {.name = "adaptive",
+                                     .maxSamples = 32,
+                                     .tiers = tiers,
+                                     .settings = settings,
+                                     .build = build,
+                                     .work = work,
+                                     .resolve = resolve,
                                      .prefersOrderedGrid = prefersOrderedGrid};
 
 } // namespace agaa

@@ -14,20 +14,15 @@ namespace {
 // Returns the format of the metadata, the aggregate of each sample: ceil(log2 c) bit planes of n bits.
 Format metadataFormat(uint32_t samples, uint32_t aggregates) {
     const uint32_t bits = samples * uint32_t(std::bit_width(aggregates - 1));
-    return bits <= 8    ? Format::R8U
-           : bits <= 16 ? Format::R16U
-           : bits <= 32 ? Format::R32U
-                        : Format::RG32U;
+    return bits <= 8 ? Format::R8U : bits <= 16 ? Format::R16U : bits <= 32 ? Format::R32U : Format::RG32U;
 }
 
 // Adds the definition pass and returns its metadata. A single aggregate needs neither.
 ResourceId defineAggregates(PlanBuilder& b, const std::function<void(Pass&)>& bindSamples) {
     if (b.view().aggregates == 1)
         return noResource;
-    const ResourceId metadata =
-        b.image("metadata", metadataFormat(b.view().samples, b.view().aggregates), false);
-    Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition",
-                             AGAA_SEGMENT_GENERATION);
+    const ResourceId metadata = b.image("metadata", metadataFormat(b.view().samples, b.view().aggregates), false);
+    Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition", AGAA_SEGMENT_GENERATION);
     b.bindCommon(define);
     bindSamples(define);
     b.bind(define, slot::MetadataOut, BindingType::StorageImage, metadata, true);
@@ -51,8 +46,7 @@ void buildNative(PlanBuilder& b) {
         surface(native.name, native.format);
     surface("aggregate-coverage", Format::R8U);
     if (b.view().samples > 8)
-        surface("aggregate-coverage-beyond-8-bits",
-                b.view().samples > 16 ? Format::R32U : Format::R8U);
+        surface("aggregate-coverage-beyond-8-bits", b.view().samples > 16 ? Format::R32U : Format::R8U);
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
@@ -74,7 +68,8 @@ void resolve(ResolvedView& view) {
     if (view.generationTier != AGAA_TIER_FRAGMENTS)
         return;
     require(!hasBatches(view), AGAA_ERROR_UNSUPPORTED,
-            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; the tier fragments needs all fragments at once.");
+            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; the tier fragments needs all fragments at "
+            "once.");
     require(!(view.config.flags & AGAA_CONFIG_BUFFERED), AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_BUFFERED is not for the tier fragments, which shades aggregates at once.");
 }
@@ -98,10 +93,17 @@ void build(PlanBuilder& b) {
 
 } // namespace
 
-static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &perSampleTier, &gbufferTier,
-                                                  &mixedSamplesTier, &fragmentsTier};
+static constexpr const GenerationTier* tiers[] = {&idsTier,     &postDepthTier,    &perSampleTier,
+                                                  &gbufferTier, &mixedSamplesTier, &fragmentsTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings, &coverageSettings};
-const Technique agaaTechnique = {.name = "agaa", .maxSamples = 32, .maxAggregates = 4, .groupsSamples = true, .tiers = tiers,
-                                 .settings = settings, .build = build, .work = workOfAggregates, .resolve = resolve};
+const Technique agaaTechnique = {.name = "agaa",
+                                 .maxSamples = 32,
+                                 .maxAggregates = 4,
+                                 .groupsSamples = true,
+                                 .tiers = tiers,
+                                 .settings = settings,
+                                 .build = build,
+                                 .work = workOfAggregates,
+                                 .resolve = resolve};
 
 } // namespace agaa

@@ -36,8 +36,7 @@ ShadingWork workOfAggregates(const ViewSettings& view) { return {view.aggregates
 
 Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format, SampleContent content) {
     const Prepass s{b.depth(stencil), b.image(name, format, true)};
-    Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
-                               AGAA_SEGMENT_PREPASS);
+    Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY, AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
     prepass.draw.sampleContent = content;
     prepass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
@@ -87,8 +86,8 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
         b.note("no format of depth and stencil: of equal depths the first to come is kept, which is "
                "not repeatable.");
     const bool perSample = b.view().generationTier == AGAA_TIER_PER_SAMPLE && b.view().hwSamples > 1;
-    Pass& pass = b.hostDraw("generate aggregates", AGAA_STAGE_GENERATION,
-                            AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_GENERATION);
+    Pass& pass =
+        b.hostDraw("generate aggregates", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_GENERATION);
     b.bindCommon(pass);
     pass.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
     pass.draw.state.stencilTest = stencil;

@@ -23,7 +23,7 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name = "normals", 
 struct Aggregation {
     Layout layout; // of an aggregate
     AggregatePacking packing;
-    uint32_t stride = 0; // words from one aggregate to the next
+    uint32_t stride = 0;      // words from one aggregate to the next
     uint32_t spreadWords = 0; // for the spread of normals of elliptic lobes
     // The attributes of one sample represent the aggregate, in place of sums.
     bool represented = false;

@@ -36,10 +36,12 @@ void resolve(ResolvedView& view) {
     if (!isExact(view))
         return setSurfaceDefaults(view, 0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
     require(!hasBatches(view), AGAA_ERROR_UNSUPPORTED,
-            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
+            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments "
+            "at once.");
     if (mergesInOrder(view))
-        fail(AGAA_ERROR_UNSUPPORTED, format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
-                                            agaaTierName(view.generationTier)));
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
+                    agaaTierName(view.generationTier)));
 }
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
@@ -47,7 +49,8 @@ Aggregation keptSurfaces(const PlanBuilder& b) {
     surfaces.layout = surfaceLayout(b.view().layout);
     surfaces.packing = packMaterial(surfaces.layout);
     const uint32_t geometryWords = b.view().samples / 32 + 3; // of src/shaders/coverage/covered_surface.glsl
-    surfaces.spreadWords = b.view().config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/coverage/surface_spread.glsl
+    surfaces.spreadWords =
+        b.view().config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/coverage/surface_spread.glsl
     surfaces.stride = geometryWords + surfaces.spreadWords + surfaces.packing.words;
     return surfaces;
 }
@@ -75,8 +78,8 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
 void buildExact(PlanBuilder& b) {
     const Aggregation surfaces = keptSurfaces(b);
     const FragmentLists lists = drawScene(b, surfaces, 3); // the words of a depth plane
-    Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b.view()) ? "shade_carried" : "shade_fragments",
-                            AGAA_SEGMENT_SHADING);
+    Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING,
+                            carriesMaterials(b.view()) ? "shade_carried" : "shade_fragments", AGAA_SEGMENT_SHADING);
     readLists(b, lists, surfaces, shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
@@ -108,9 +111,9 @@ ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
     constexpr uint32_t words = 4; // per texel
     const uint32_t bytes = 4 * b.view().aggregates * surfaces.stride;
     if (bytes > 4 * words * maxFetchedTargets)
-        fail(AGAA_ERROR_UNSUPPORTED,
-             format("the tier raster-order keeps up to 128 bytes a pixel in attachments; %u surfaces of this layout take %u.",
-                    b.view().aggregates, bytes));
+        fail(AGAA_ERROR_UNSUPPORTED, format("the tier raster-order keeps up to 128 bytes a pixel in attachments; %u "
+                                            "surfaces of this layout take %u.",
+                                            b.view().aggregates, bytes));
     const uint32_t attachments = (b.view().aggregates * surfaces.stride + words - 1) / words;
     const ResourceId kept = b.layeredImage("surfaces", Format::RGBA32U, attachments);
     Pass& pass = drawMerging(b, surfaces);
@@ -127,7 +130,8 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
         addBatchPass(b, "divide tiles", "divide_tiles", lists.buffer);
     const ResourceId kept = surfaceBuffer(b);
     // All passes of a repetition must be in one segment.
-    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, carriesMaterials(b.view()) ? "merge_carried" : "merge_fragments",
+    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION,
+                            carriesMaterials(b.view()) ? "merge_carried" : "merge_fragments",
                             hasBatches(b.view()) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
     readLists(b, lists, surfaces, merge);
     merge.constants[AGAA_MERGE_RULE] = b.view().coverage.merge;
@@ -147,7 +151,7 @@ void build(PlanBuilder& b) {
     b.plan.bytesPerAggregate = 4 * surfaces.stride;
     const ResourceId kept = mergesInTargets(b.view()) ? mergeInTargets(b, surfaces)
                             : mergesInOrder(b.view()) ? mergeInBuffer(b, surfaces)
-                                               : mergeLists(b, surfaces);
+                                                      : mergeLists(b, surfaces);
     Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING,
                             {{Switch::InTargets, mergesInTargets(b.view())}});
     b.bindCommon(shade);
@@ -161,14 +165,21 @@ void build(PlanBuilder& b) {
     b.copyCounters();
 }
 
-constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier,
-                                           &rasterOrderTier};
+constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier, &rasterOrderTier};
 constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace
 
-const Technique dcaaTechnique = {.name = "dcaa", .maxSamples = 0, .maxAggregates = 8, .tiers = tiers, .settings = settings,
-                                 .build = build, .work = work, .resolve = resolve, .storesWidenedLobes = true,
-                                 .keepsSpread = true, .facts = knownCoverageFacts};
+const Technique dcaaTechnique = {.name = "dcaa",
+                                 .maxSamples = 0,
+                                 .maxAggregates = 8,
+                                 .tiers = tiers,
+                                 .settings = settings,
+                                 .build = build,
+                                 .work = work,
+                                 .resolve = resolve,
+                                 .storesWidenedLobes = true,
+                                 .keepsSpread = true,
+                                 .facts = knownCoverageFacts};
 
 } // namespace agaa

@@ -54,7 +54,8 @@ constexpr uint64_t countWords = 16;
 ListSizes listSizes(const PlanBuilder& b) {
     const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
     const uint64_t words = hasBatches(b.view()) ? tiles(b.view().width) * tiles(b.view().height) : 0;
-    return {countWords + uint64_t(b.view().width) * b.view().height + words, 2 + b.view().samples / 32 + b.plan.payloadWords};
+    return {countWords + uint64_t(b.view().width) * b.view().height + words,
+            2 + b.view().samples / 32 + b.plan.payloadWords};
 }
 
 ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
@@ -65,10 +66,10 @@ ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
     const uint64_t maxFragments = std::min<uint64_t>(forFragments / sizes.words, 0x7FFFFFFF / sizes.words);
     b.plan.fragmentCapacity = std::min<uint64_t>(std::max<uint64_t>(uint64_t(wanted), 65536), maxFragments);
     if (b.plan.fragmentCapacity < pixels)
-        fail(AGAA_ERROR_TOO_LARGE, format("lists of fragments need room for a fragment a pixel; one storage buffer of the device "
-                                          "has room for %llu, and the view has %llu pixels.",
-                                          static_cast<unsigned long long>(b.plan.fragmentCapacity),
-                                          static_cast<unsigned long long>(pixels)));
+        fail(AGAA_ERROR_TOO_LARGE,
+             format("lists of fragments need room for a fragment a pixel; one storage buffer of the device "
+                    "has room for %llu, and the view has %llu pixels.",
+                    static_cast<unsigned long long>(b.plan.fragmentCapacity), static_cast<unsigned long long>(pixels)));
     if (double(b.plan.fragmentCapacity) < wanted)
         b.note(format("lists: room for %.1f fragments a pixel, because one storage buffer of the device holds no more.",
                       double(b.plan.fragmentCapacity) / double(pixels)));
@@ -92,7 +93,8 @@ ResourceId makeCoverageTable(PlanBuilder& b) {
     fill.compute.dispatch = {.kind = DispatchKind::Items, .items = uint64_t(size) * size};
     b.bind(fill, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_PREPASS));
     b.bind(fill, slot::CoverageTableOut, BindingType::StorageImage, table, true);
-    b.note(format("coverage: by a table of %u x %u half-planes, because the host says where the samples lie.", size, size));
+    b.note(format("coverage: by a table of %u x %u half-planes, because the host says where the samples lie.", size,
+                  size));
     return table;
 }
 
@@ -106,7 +108,8 @@ Pass& drawTriangles(PlanBuilder& b) {
         b.bind(pass, host_slot::CoverageTable, BindingType::Texture, table);
     pass.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
     pass.draw.state.vertexPulling = b.view().vertexPulling;
-    pass.draw.expansionText = b.view().vertexPulling ? "#include \"host/pulled_hull.glsl\"" : "#include \"host/triangle_hull.glsl\"";
+    pass.draw.expansionText =
+        b.view().vertexPulling ? "#include \"host/pulled_hull.glsl\"" : "#include \"host/triangle_hull.glsl\"";
     if (b.view().vertexPulling)
         b.note("triangles: vertex shaders of the host expand them (AGAA_VIEW_VERTEX_PULLING).");
     return pass;

@@ -10,8 +10,7 @@ namespace {
 Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
     g.packing = packGBuffer(b.view().layout);
     for (size_t i = 0; i < g.packing.attachments.size(); ++i)
-        g.attachments.push_back(
-            b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
+        g.attachments.push_back(b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
     Pass& pass = b.hostDraw(name, AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_PREPASS);
     b.bindCommon(pass);
     pass.draw.state.colorAttachmentCount = uint32_t(g.attachments.size());

@@ -14,7 +14,7 @@ constexpr float gbufferCost = 0.64f, idsCost = 0.61f;
 constexpr float materialListsCost = 1.15f;
 constexpr float interlockCost = 8.5f;   // H200
 constexpr float rasterOrderCost = 2.5f; // lavapipe, bamboo and metal
-constexpr float perSampleCost = 2; // 376 ms relative to 183 ms: bamboo, n = 4, lavapipe
+constexpr float perSampleCost = 2;      // 376 ms relative to 183 ms: bamboo, n = 4, lavapipe
 
 constexpr const char* hostGBufferReason = "a G-buffer that the host draws leaves only the tier gbuffer.";
 
@@ -79,16 +79,21 @@ TierAnswer answerGBuffer(const GenerationQuery& q) {
     if (q.isForced)
         return {true, aggregated};
     if (q.needsMaterials)
-        return {true, "lit shadows, the weight of gloss and elliptic lobes want materials where samples are grouped, so "
-                      "that " + aggregated};
+        return {true,
+                "lit shadows, the weight of gloss and elliptic lobes want materials where samples are grouped, so "
+                "that " +
+                    aggregated};
     if (q.customDepth)
-        return {true, "materials that write depth or discard on their own are drawn once, into a multisampled G-buffer."};
+        return {true,
+                "materials that write depth or discard on their own are drawn once, into a multisampled G-buffer."};
     if (!hasAtomics(q))
         return {true, "without atomics in fragment shaders " + aggregated};
     if (isTooLarge(q))
         return {true, format("aggregates would take %llu bytes, and the device allows %llu in one storage buffer, so "
-                             "that ", static_cast<unsigned long long>(q.aggregateBytes),
-                             static_cast<unsigned long long>(q.caps.maxStorageRange)) + aggregated};
+                             "that ",
+                             static_cast<unsigned long long>(q.aggregateBytes),
+                             static_cast<unsigned long long>(q.caps.maxStorageRange)) +
+                          aggregated};
     return {true, "without post-depth coverage and sample-rate shading " + aggregated};
 }
 
@@ -110,7 +115,8 @@ TierAnswer answerSampleIds(const GenerationQuery& q) {
         return {false, "the tier ids needs an AgaaFetchFunction."};
     if (q.someUnfetched)
         return {false, "the materials of all draws are fetched; AGAA_FETCH_NOT_ALL_DRAWS must not be set."};
-    return {true, "materials of the samples that are shaded are fetched by the ids that the only geometry pass leaves."};
+    return {true,
+            "materials of the samples that are shaded are fetched by the ids that the only geometry pass leaves."};
 }
 
 TierAnswer answerSampleGBuffer(const GenerationQuery& q) {
@@ -120,10 +126,12 @@ TierAnswer answerSampleGBuffer(const GenerationQuery& q) {
 
 constexpr const char* noCoverageReason = "a G-buffer that the host draws has no coverage beyond its samples.";
 // Returns whether triangles can be expanded to cover every pixel that they touch.
-bool expandsTriangles(const GenerationQuery& q) { return q.vertexPulling || q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS; }
-constexpr const char* noExpansionReason =
-    "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches; vertex shaders of the "
-    "host can (AGAA_VIEW_VERTEX_PULLING).";
+bool expandsTriangles(const GenerationQuery& q) {
+    return q.vertexPulling || q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS;
+}
+constexpr const char* noExpansionReason = "the device has no geometry shaders, which give a fragment to every pixel "
+                                          "that a triangle touches; vertex shaders of the "
+                                          "host can (AGAA_VIEW_VERTEX_PULLING).";
 
 // Returns why fetched fragments cannot be stored in lists, or empty text if they can.
 std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
@@ -162,7 +170,8 @@ TierAnswer answerMaterialLists(const GenerationQuery& q) {
         return {false, "the device has no atomics in fragment shaders."};
     if (!expandsTriangles(q))
         return {false, noExpansionReason};
-    return {true, "fragments carry their materials in a list for each pixel and are merged in the order of their numbers."};
+    return {true,
+            "fragments carry their materials in a list for each pixel and are merged in the order of their numbers."};
 }
 
 TierAnswer answerInterlock(const GenerationQuery& q) {
@@ -186,33 +195,58 @@ TierAnswer answerRasterOrder(const GenerationQuery& q) {
 
 } // namespace
 
-const GenerationTier idsTier = {.tier = AGAA_TIER_IDS, .relativeCost = idsCost, .isAutomatic = true,
-                                .knowsMaterials = true, .countsPrimitives = true, .answer = answerIds};
-const GenerationTier postDepthTier = {.tier = AGAA_TIER_POST_DEPTH_ATOMICS, .isAutomatic = true,
-                                      .answer = answerPostDepth};
-const GenerationTier perSampleTier = {.tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true,
-                                      .answer = answerPerSample};
-const GenerationTier gbufferTier = {.tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true,
-                                    .knowsMaterials = true, .readsGBuffer = true, .answer = answerGBuffer};
-const GenerationTier sampleIdsTier = {.tier = AGAA_TIER_IDS, .isAutomatic = true, .knowsMaterials = true,
-                                      .answer = answerSampleIds};
-const GenerationTier sampleGBufferTier = {.tier = AGAA_TIER_GBUFFER, .isAutomatic = true, .knowsMaterials = true,
-                                          .readsGBuffer = true, .answer = answerSampleGBuffer};
-const GenerationTier mixedSamplesTier = {.tier = AGAA_TIER_NV_MIXED_SAMPLES, .isModel = true,
-                                         .answer = answerMixedSamples};
-const GenerationTier fragmentListsTier = {.tier = AGAA_TIER_FRAGMENT_LISTS, .isAutomatic = true,
-                                          .knowsMaterials = true, .hasCoverageSamples = true,
+const GenerationTier idsTier = {.tier = AGAA_TIER_IDS,
+                                .relativeCost = idsCost,
+                                .isAutomatic = true,
+                                .knowsMaterials = true,
+                                .countsPrimitives = true,
+                                .answer = answerIds};
+const GenerationTier postDepthTier = {
+    .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .isAutomatic = true, .answer = answerPostDepth};
+const GenerationTier perSampleTier = {
+    .tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true, .answer = answerPerSample};
+const GenerationTier gbufferTier = {.tier = AGAA_TIER_GBUFFER,
+                                    .relativeCost = gbufferCost,
+                                    .isAutomatic = true,
+                                    .knowsMaterials = true,
+                                    .readsGBuffer = true,
+                                    .answer = answerGBuffer};
+const GenerationTier sampleIdsTier = {
+    .tier = AGAA_TIER_IDS, .isAutomatic = true, .knowsMaterials = true, .answer = answerSampleIds};
+const GenerationTier sampleGBufferTier = {.tier = AGAA_TIER_GBUFFER,
+                                          .isAutomatic = true,
+                                          .knowsMaterials = true,
+                                          .readsGBuffer = true,
+                                          .answer = answerSampleGBuffer};
+const GenerationTier mixedSamplesTier = {
+    .tier = AGAA_TIER_NV_MIXED_SAMPLES, .isModel = true, .answer = answerMixedSamples};
+const GenerationTier fragmentListsTier = {.tier = AGAA_TIER_FRAGMENT_LISTS,
+                                          .isAutomatic = true,
+                                          .knowsMaterials = true,
+                                          .hasCoverageSamples = true,
                                           .answer = answerFragmentLists};
-const GenerationTier fragmentsTier = {.tier = AGAA_TIER_FRAGMENTS, .isAutomatic = true, .knowsMaterials = true,
-                                      .countsPrimitives = true, .hasCoverageSamples = true, .answer = answerFragments};
-const GenerationTier materialListsTier = {.tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = materialListsCost,
-                                          .isAutomatic = true, .knowsMaterials = true, .hasCoverageSamples = true,
+const GenerationTier fragmentsTier = {.tier = AGAA_TIER_FRAGMENTS,
+                                      .isAutomatic = true,
+                                      .knowsMaterials = true,
+                                      .countsPrimitives = true,
+                                      .hasCoverageSamples = true,
+                                      .answer = answerFragments};
+const GenerationTier materialListsTier = {.tier = AGAA_TIER_MATERIAL_LISTS,
+                                          .relativeCost = materialListsCost,
+                                          .isAutomatic = true,
+                                          .knowsMaterials = true,
+                                          .hasCoverageSamples = true,
                                           .answer = answerMaterialLists};
 // Neither is automatic: both take longer than lists.
-const GenerationTier interlockTier = {.tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = interlockCost,
-                                      .knowsMaterials = true, .hasCoverageSamples = true, .answer = answerInterlock};
-const GenerationTier rasterOrderTier = {.tier = AGAA_TIER_RASTER_ORDER, .relativeCost = rasterOrderCost,
-                                        .knowsMaterials = true, .hasCoverageSamples = true,
+const GenerationTier interlockTier = {.tier = AGAA_TIER_FRAGMENT_INTERLOCK,
+                                      .relativeCost = interlockCost,
+                                      .knowsMaterials = true,
+                                      .hasCoverageSamples = true,
+                                      .answer = answerInterlock};
+const GenerationTier rasterOrderTier = {.tier = AGAA_TIER_RASTER_ORDER,
+                                        .relativeCost = rasterOrderCost,
+                                        .knowsMaterials = true,
+                                        .hasCoverageSamples = true,
                                         .answer = answerRasterOrder};
 
 } // namespace agaa

@@ -13,7 +13,6 @@ extern const GenerationTier mixedSamplesTier;
 // These shade samples and generate no aggregates.
 extern const GenerationTier sampleIdsTier;
 extern const GenerationTier sampleGBufferTier;
-extern const GenerationTier fragmentListsTier, materialListsTier, interlockTier, rasterOrderTier,
-    fragmentsTier;
+extern const GenerationTier fragmentListsTier, materialListsTier, interlockTier, rasterOrderTier, fragmentsTier;
 
 } // namespace agaa

@@ -8,8 +8,7 @@ namespace agaa {
 static void build(PlanBuilder& b) {
     const ResourceId depth = b.depth(b.wantsStencil());
     const ResourceId color = b.image("color", Format::RGBA16F, true);
-    Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
-                               AGAA_SEGMENT_PREPASS);
+    Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY, AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
     prepass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     prepass.draw.state.depthWrite = 1;
@@ -39,6 +38,7 @@ static void build(PlanBuilder& b) {
 // There is no bound, because each visible primitive of a pixel is shaded.
 static ShadingWork work(const ViewSettings&) { return {}; }
 
-const Technique msaaTechnique = {.name = "msaa", .maxSamples = 32, .build = build, .work = work, .facts = knownCoverageFacts};
+const Technique msaaTechnique = {
+    .name = "msaa", .maxSamples = 32, .build = build, .work = work, .facts = knownCoverageFacts};
 
 } // namespace agaa

@@ -54,7 +54,10 @@ ShadingWork someSamples(const ViewSettings& view) { return {view.samples, view.s
 const Technique singleTechnique = {.name = "single", .maxSamples = 1, .build = buildPerSample, .work = eachSample};
 const Technique ssaaTechnique = {.name = "ssaa", .maxSamples = 32, .build = buildPerSample, .work = eachSample};
 const Technique fxaaTechnique = {.name = "fxaa", .maxSamples = 1, .build = buildFxaa, .work = eachSample};
-const Technique simpleComplexTechnique = {.name = "simple_complex", .maxSamples = 32, .build = buildSimpleComplex,
-                                          .work = someSamples, .resolve = resolveSimpleComplex};
+const Technique simpleComplexTechnique = {.name = "simple_complex",
+                                          .maxSamples = 32,
+                                          .build = buildSimpleComplex,
+                                          .work = someSamples,
+                                          .resolve = resolveSimpleComplex};
 
 } // namespace agaa

@@ -42,8 +42,7 @@ void build(PlanBuilder& b) {
     surfaces.represented = true;
     surfaces.definitionClears = true;
     surfaces.define = [&](const auto& bindSamples, ResourceId aggregates) {
-        Pass& select = b.compute("select surfaces", AGAA_STAGE_DEFINITION, "select",
-                                 AGAA_SEGMENT_GENERATION);
+        Pass& select = b.compute("select surfaces", AGAA_STAGE_DEFINITION, "select", AGAA_SEGMENT_GENERATION);
         b.bindCommon(select);
         bindSamples(select);
         b.bind(select, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
@@ -57,7 +56,13 @@ void build(PlanBuilder& b) {
 
 static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier, &mixedSamplesTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
-const Technique sbaaTechnique = {.name = "sbaa", .maxSamples = 32, .maxAggregates = 6, .tiers = tiers, .settings = settings,
-                                 .build = build, .work = workOfAggregates, .resolve = resolve};
+const Technique sbaaTechnique = {.name = "sbaa",
+                                 .maxSamples = 32,
+                                 .maxAggregates = 6,
+                                 .tiers = tiers,
+                                 .settings = settings,
+                                 .build = build,
+                                 .work = workOfAggregates,
+                                 .resolve = resolve};
 
 } // namespace agaa

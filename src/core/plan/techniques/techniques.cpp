@@ -7,10 +7,9 @@
 namespace agaa {
 
 const std::vector<const Technique*>& techniques() {
-    static const std::vector<const Technique*> table = {
-        &singleTechnique,        &fxaaTechnique, &msaaTechnique, &ssaaTechnique,
-        &simpleComplexTechnique, &sbaaTechnique, &agaaTechnique, &dcaaTechnique,
-        &adaptiveTechnique};
+    static const std::vector<const Technique*> table = {&singleTechnique, &fxaaTechnique,          &msaaTechnique,
+                                                        &ssaaTechnique,   &simpleComplexTechnique, &sbaaTechnique,
+                                                        &agaaTechnique,   &dcaaTechnique,          &adaptiveTechnique};
     return table;
 }
 
