@@ -189,7 +189,7 @@ TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
     EXPECT_NE(hostExtensions(*draw, dialect).find("GL_EXT_shader_framebuffer_fetch"), std::string::npos);
     EXPECT_NE(text.find("layout(location = 6) inout uvec4 agaa_target6;"), std::string::npos);
     EXPECT_EQ(text.find("agaa_target7"), std::string::npos);
-    EXPECT_EQ(text.find("out vec4"), std::string::npos);
+    EXPECT_EQ(text.find("out vec4 agaa_out"), std::string::npos);
     dialect = {};
     dialect.descriptorSet = 2;
     const std::string vulkan = hostDeclarations(plan, *draw, dialect);

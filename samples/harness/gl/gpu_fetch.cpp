@@ -9,7 +9,7 @@
 namespace harness::gl {
 
 // Bindings of shaders/interface.glsl.
-constexpr GLuint cameraBinding = 6, firstUnit = 20;
+constexpr GLuint fetchCameraBinding = 6, firstUnit = 20;
 
 static bool isTexels(GLuint i) { return i >= 2 && i <= 5; }
 
@@ -76,7 +76,7 @@ void GpuFetch::update(const Scene& scene, const std::vector<Draw>& draws, const 
 }
 
 void GpuFetch::bind() const {
-    gl_->BindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, camera_.get());
+    gl_->BindBufferBase(GL_UNIFORM_BUFFER, fetchCameraBinding, camera_.get());
     for (GLuint i = 0; i < std::size(textures_); ++i) {
         gl_->BindTextureUnit(firstUnit + i, textures_[i].get());
         gl_->BindSampler(firstUnit + i, isTexels(i) ? 0 : sampler_.get());
