@@ -175,17 +175,20 @@ def table(results):
 //
 // Includers define
 //   AGAA_CHOICE_SCENES     the numbers of scenes, and their errors of "single"
-//   AGAA_CHOICE_COMMON     nanoseconds of a light evaluation and of a shadow tap; medians of the scenes: nanoseconds of the
-//                          geometry passes of "single" per pixel, coverage, complexity, lights of an event. Complexity: the
-//                          share of the samples beyond a pixel's first that simple_complex shades at n = 8
+//   AGAA_CHOICE_COMMON     nanoseconds of a light evaluation and of a shadow tap; medians of the scenes: nanoseconds of
+//                          the geometry passes of "single" per pixel, coverage, complexity, lights of an event.
+//                          Complexity: the share of the samples beyond a pixel's first that simple_complex shades at
+//                          n = 8
 //   AGAA_CHOICE_ROW        technique, n, c or S, preset, tier;
 //                          geometry passes by those of "single", nanoseconds more per pixel;
 //                          nanoseconds of shading per pixel and per event, lights of an event by those of "single";
-//                          events per covered pixel: at complexity 0, and more at 1; shadow taps likewise, for one shadow;
+//                          events per covered pixel: at complexity 0, and more at 1; shadow taps likewise, for one
+//                          shadow;
 //                          errors by those of "single", in the order of the scenes
-// and each is undefined at the end. Comments have the relative error of the times, median and worst of the scenes: with the
-// counts of each frame, and predicted from the frame of "single" alone.
-AGAA_CHOICE_SCENES({len(names)}, {numbers(single)})
+// and each is undefined at the end. Comments have the relative error of the times, median and worst of the scenes: with
+// the counts of each frame, and predicted from the frame of "single" alone.
+AGAA_CHOICE_SCENES({len(names)}, {numbers(single[:5])},
+                   {numbers(single[5:])})
 AGAA_CHOICE_COMMON({numbers([model.shading["light"], model.shading["tap"], model.middle(costs.single_geometry),
                              model.middle(costs.coverage), model.middle(costs.complexity),
                              model.middle(lambda scene: costs.of(costs.single, scene).lights)])})"""]

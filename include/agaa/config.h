@@ -143,8 +143,8 @@ typedef enum AgaaTier {
     AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass
                                       merges the lists in the order of ids (AgaaFetchFunction) */
     AGAA_TIER_FRAGMENTS = 22,      /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters
-                                      the fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO selects
-                                      it at 64 and 128 */
+                                      the fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO
+                                      selects it at 64 and 128 */
     AGAA_TIER_MATERIAL_LISTS = 23, /* "dcaa": FRAGMENT_LISTS with fragments that carry their materials. The host's
                                       fragment shader evaluates them */
     AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* "dcaa": no lists. The host's fragment shader evaluates the materials and

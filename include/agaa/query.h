@@ -43,7 +43,8 @@ typedef struct AgaaDeviceCaps {
     char deviceName[128];
     char driverName[128];
     uint32_t sampleCounts;    /* bit i: multisampled colour and depth textures with 2^i samples, in the formats that the
-                                 device has. A view with a surface of another format fails with AGAA_ERROR_UNSUPPORTED */
+                                 device has. A view with a surface of another format fails with
+                                 AGAA_ERROR_UNSUPPORTED */
     uint32_t maxImageSize;    /* texels */
     uint64_t maxStorageRange; /* bytes of one storage buffer */
     uint32_t maxSharedBytes;  /* bytes of shared memory of a compute workgroup */

@@ -33,10 +33,11 @@ typedef struct AgaaCounters {
     uint64_t primitives;        /* "agaa", tiers IDS and FRAGMENTS: primitives that the samples of a pixel show, summed
                                    over all pixels; unfetched draws are not counted */
     uint64_t materials;         /* tier IDS: material evaluations, one per primitive and pixel or, with
-                                   AGAA_CONFIG_FINE_MATERIALS, per primitive and texel; two in pixels of one primitive whose
-                                   shading normals belong to several surfaces. "adaptive": one per primitive and pixel each
-                                   time that samples are compared, and one per shaded sample. Tier FRAGMENT_LISTS: one per
-                                   fragment that has room. Tier FRAGMENTS: one per fragment that shows, for each use */
+                                   AGAA_CONFIG_FINE_MATERIALS, per primitive and texel; two in pixels of one primitive
+                                   whose shading normals belong to several surfaces. "adaptive": one per primitive and
+                                   pixel each time that samples are compared, and one per shaded sample. Tier
+                                   FRAGMENT_LISTS: one per fragment that has room. Tier FRAGMENTS: one per fragment that
+                                   shows, for each use */
     uint64_t misplaced;         /* fragments of the first geometry pass that do not lie where the camera places them;
                                    slivers cause a few, because their positions extrapolate */
     uint64_t unannounced; /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */

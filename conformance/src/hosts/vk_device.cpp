@@ -19,7 +19,8 @@ VkBool32* featureOf(VkPhysicalDeviceFeatures& features, const std::string& name)
     // clang-format takes a list of macros for one expression.
     // clang-format off
     FEATURE(robustBufferAccess) FEATURE(fullDrawIndexUint32) FEATURE(imageCubeArray) FEATURE(independentBlend)
-    FEATURE(geometryShader) FEATURE(tessellationShader) FEATURE(sampleRateShading) FEATURE(dualSrcBlend) FEATURE(logicOp)
+    FEATURE(geometryShader) FEATURE(tessellationShader) FEATURE(sampleRateShading) FEATURE(dualSrcBlend)
+    FEATURE(logicOp)
     FEATURE(multiDrawIndirect) FEATURE(drawIndirectFirstInstance) FEATURE(depthClamp) FEATURE(depthBiasClamp)
     FEATURE(fillModeNonSolid) FEATURE(depthBounds) FEATURE(wideLines) FEATURE(largePoints) FEATURE(alphaToOne)
     FEATURE(multiViewport) FEATURE(samplerAnisotropy) FEATURE(occlusionQueryPrecise) FEATURE(pipelineStatisticsQuery)

@@ -8,9 +8,12 @@ VARYING(6) flat in vec4 cornerColor[3]; // w: alpha
 VARYING(9) flat in vec4 cornerPosition[3]; // w: v
 VARYING(12) flat in uvec3 cornerIds; // seed, draw, primitive
 
-vec4 weighed(vec3 weights, vec4 corners[3]) { return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2]; }
+vec4 weighed(vec3 weights, vec4 corners[3]) {
+    return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
+}
 vec2 weighedUv(vec3 weights) {
-    return weights.x * vec2(cornerNormal[0].w, cornerPosition[0].w) + weights.y * vec2(cornerNormal[1].w, cornerPosition[1].w) +
+    return weights.x * vec2(cornerNormal[0].w, cornerPosition[0].w) +
+           weights.y * vec2(cornerNormal[1].w, cornerPosition[1].w) +
            weights.z * vec2(cornerNormal[2].w, cornerPosition[2].w);
 }
 float weighedAlpha(vec3 weights) { return dot(weights, vec3(cornerColor[0].w, cornerColor[1].w, cornerColor[2].w)); }

@@ -29,7 +29,7 @@ template <typename Body> AgaaResult guarded(const Log& log, const char* function
     }
 }
 
-// Like guarded() above, for functions that get the host's log. An invalid log is an error.
+// Does what guarded() above does, for functions that get the host's log. An invalid log is an error.
 template <typename Body> AgaaResult guarded(const AgaaLog* log, const char* function, Body&& body) noexcept {
     return guarded(checkedLog(log), function, [&]() -> AgaaResult {
         if (log)

@@ -30,7 +30,7 @@ public:
     // Recording failed, and the host discards the commands. If earlier segments were recorded, the frame cannot
     // continue.
     void failed(const AgaaFrame& frame);
-    // Like failed(), but earlier commands were already executed: the previous contents of the slot are lost.
+    // Does what failed() does after earlier commands were executed: the previous contents of the slot are lost.
     void abortedAfterExecution(const AgaaFrame& frame);
 
     struct Slot {

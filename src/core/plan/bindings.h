@@ -36,12 +36,12 @@ struct BindingRow {
 };
 
 inline constexpr BindingRow bindingTable[] = {
-// by slot
+// The index is the slot.
 #define AGAA_BINDING(macro, name, slot, kind, openGl) {#macro, slot, BindingKind::kind, openGl},
 #include "shaders/tables/bindings.inc"
 };
 inline constexpr BindingRow hostBindingTable[] = {
-// by host_slot
+// The index is the slot.
 #define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) {#macro, slot, BindingKind::kind, openGl},
 #include "shaders/tables/bindings.inc"
 };

@@ -13,7 +13,7 @@ struct SwitchRow {
     const char* macro;
 };
 constexpr SwitchRow switchRows[] = {
-// by Switch
+// The index is the Switch.
 #define AGAA_SWITCH(letter, name, macro) {#letter[0], #macro},
 #define AGAA_PASS(...)
 #define AGAA_HOST_PASS(...)

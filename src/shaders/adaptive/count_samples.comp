@@ -21,7 +21,8 @@ void main() {
         uint covered = agaa_beginChoice(pixel);
         float left;
         uint chosen = agaa_chooseMore(pixel, covered, 1u << agaa_firstInOrder(covered), 0u, 0.0, left);
-        agaa_choices.words[agaa_choiceAt(pixel)] = agaa_packCount(uint(bitCount(covered)), uint(bitCount(chosen)), left);
+        agaa_choices.words[agaa_choiceAt(pixel)] =
+            agaa_packCount(uint(bitCount(covered)), uint(bitCount(chosen)), left);
     }
     agaa_countEnd();
 }

@@ -31,8 +31,8 @@ float agaa_countByShading(uvec2 pixel) {
         lowest = min(lowest, min(x, y));
         highest = max(highest, max(x, y));
     }
-    return agaa_shadingCount(lowest, highest, uintBitsToFloat(AGAA_SHADING_THRESHOLD), uintBitsToFloat(AGAA_SHADING_MINIMUM),
-                             uintBitsToFloat(AGAA_SHADING_SCALE));
+    return agaa_shadingCount(lowest, highest, uintBitsToFloat(AGAA_SHADING_THRESHOLD),
+                             uintBitsToFloat(AGAA_SHADING_MINIMUM), uintBitsToFloat(AGAA_SHADING_SCALE));
 }
 
 // Returns the number of samples that shading demands beyond those of geometry. The printed metric takes the larger

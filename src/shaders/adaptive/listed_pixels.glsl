@@ -11,8 +11,9 @@ uint agaa_listIndexOf(uint lane) { return (gl_WorkGroupID.y * agaa_groupsPerRow 
 // length   Index of the word with the list's length.
 uvec2 agaa_pixelAt(uint lane, uint word, uint length) {
     uint index = agaa_choices.words[word];
-    return agaa_listIndexOf(lane) < agaa_choices.words[length] ? uvec2(index % agaa_frame.size.x, index / agaa_frame.size.x)
-                                                            : agaa_frame.size;
+    return agaa_listIndexOf(lane) < agaa_choices.words[length]
+               ? uvec2(index % agaa_frame.size.x, index / agaa_frame.size.x)
+               : agaa_frame.size;
 }
 
 // The index is in range for lanes beyond the end of the list, too.

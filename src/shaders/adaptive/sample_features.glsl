@@ -18,8 +18,8 @@ struct agaa_Features {
 
 // Returns sample j of the pattern's order, which begins in the middle. A constant holds four samples.
 uint agaa_sampleInOrder(uint j) {
-    const uint words[8] = uint[8](AGAA_ORDER0, AGAA_ORDER1, AGAA_ORDER2, AGAA_ORDER3, AGAA_ORDER4, AGAA_ORDER5, AGAA_ORDER6,
-                                  AGAA_ORDER7);
+    const uint words[8] =
+        uint[8](AGAA_ORDER0, AGAA_ORDER1, AGAA_ORDER2, AGAA_ORDER3, AGAA_ORDER4, AGAA_ORDER5, AGAA_ORDER6, AGAA_ORDER7);
     return words[j >> 2u] >> (8u * (j & 3u)) & 0xFFu;
 }
 
@@ -42,7 +42,8 @@ agaa_Features agaa_fetchedFeatures(uvec2 pixel, uint i, float depth) {
 // Packs depth, the code of the normal and the material of the sample fetched last.
 uvec4 agaa_packFeatures(float depth) {
     agaa_Surface s = agaa_sampleSurface();
-    return uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()), packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
+    return uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()),
+                 packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
                  packUnorm4x8(vec4(s.specular, agaa_displayLuma(s.emissive))));
 }
 

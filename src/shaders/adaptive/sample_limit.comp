@@ -15,6 +15,7 @@ void main() {
     if (gl_LocalInvocationIndex != 0u)
         return;
     float share = agaa_isAdaptive(AGAA_ADAPTIVE_SHADING) ? agaa_geometryShare : 1.0;
-    float room = max(uintBitsToFloat(AGAA_TARGET_EVENTS) - 1.0, 0.0) * share * float(agaa_choices.words[AGAA_COVERED_PIXELS_AT]);
+    float room =
+        max(uintBitsToFloat(AGAA_TARGET_EVENTS) - 1.0, 0.0) * share * float(agaa_choices.words[AGAA_COVERED_PIXELS_AT]);
     agaa_choices.words[AGAA_DIFFERENCE_LIMIT_AT] = agaa_limitBin(AGAA_DIFFERENCES_AT, room);
 }

@@ -43,7 +43,8 @@ shared uint agaa_laneFirst[64];
 
 uvec2 agaa_pixelOf(uint lane) {
     uint index = agaa_boundedListIndexOf(lane);
-    return agaa_pixelAt(lane, agaa_isAdaptive(AGAA_ADAPTIVE_SORTED) ? agaa_sortedAt(index) : agaa_listAt(index), AGAA_FURTHER_AT);
+    return agaa_pixelAt(lane, agaa_isAdaptive(AGAA_ADAPTIVE_SORTED) ? agaa_sortedAt(index) : agaa_listAt(index),
+                        AGAA_FURTHER_AT);
 }
 
 // Returns the samples that a shaded sample of a lane's pixel represents.
@@ -57,7 +58,9 @@ uint agaa_samplesOfLane(uint lane, uint chosen) {
     return samples & agaa_laneCovered[lane];
 }
 
-float agaa_eventWeight(uint samples) { return agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS) ? 1.0 : float(bitCount(samples)); }
+float agaa_eventWeight(uint samples) {
+    return agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS) ? 1.0 : float(bitCount(samples));
+}
 
 struct agaa_Further {
     agaa_PixelWork work;
@@ -70,7 +73,8 @@ uint agaa_chosenSamples(uvec2 pixel, uint covered, uint first) {
     uint word = agaa_choices.words[agaa_choiceAt(pixel)];
     bool isCounted = AGAA_COUNTS_FOUND != AGAA_FOUND_WITH_FURTHER;
     float left;
-    return agaa_chooseMore(pixel, covered, 1u << first, isCounted ? word : 0u, isCounted ? 0.0 : uintBitsToFloat(word), left);
+    return agaa_chooseMore(pixel, covered, 1u << first, isCounted ? word : 0u, isCounted ? 0.0 : uintBitsToFloat(word),
+                           left);
 }
 
 agaa_Further agaa_furtherOf(uvec2 pixel) {
@@ -115,7 +119,8 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     agaa_findVisibility(pixel, agaa_shadowedSamples(lane, i, samples));
     agaa_fetchEvent(pixel, i, samples);
     agaa_Surface s = agaa_sampleSurface();
-    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse) : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
+    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)
+                               : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
            weight;
 }
 

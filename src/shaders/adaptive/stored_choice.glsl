@@ -19,10 +19,12 @@ uint agaa_pixelCount() { return agaa_frame.size.x * agaa_frame.size.y; }
 uint agaa_choiceAt(uvec2 pixel) { return AGAA_SUM_WORDS + agaa_pixelIndex(pixel); }
 uint agaa_listAt(uint index) { return AGAA_SUM_WORDS + agaa_pixelCount() + index; }
 uint agaa_meanAt(uvec2 pixel) { return agaa_listAt(agaa_pixelCount()) + agaa_pixelIndex(pixel); }
-uint agaa_rankAt(uint index) { return agaa_listAt(agaa_pixelCount()) + (AGAA_COUNT_MEMORY != 0u ? agaa_pixelCount() : 0u) + index; }
+uint agaa_rankAt(uint index) {
+    return agaa_listAt(agaa_pixelCount()) + (AGAA_COUNT_MEMORY != 0u ? agaa_pixelCount() : 0u) + index;
+}
 uint agaa_sortedAt(uint index) { return agaa_rankAt(agaa_pixelCount()) + index; }
 
-// Whether a sample is shaded. difference: in thresholds, from all samples that are shaded.
+// Returns whether a sample is shaded. difference: in thresholds, from all samples that are shaded.
 bool agaa_callsForSample(float difference) {
     if (AGAA_TARGET_EVENTS == 0u)
         return difference > 1.0;
@@ -38,7 +40,7 @@ float agaa_differenceLimit() {
 // Returns a difference as a share of the limit, [0, 1].
 float agaa_shareOfLimit(float difference) { return clamp(difference / agaa_differenceLimit(), 0.0, 1.0); }
 
-// Whether samples that shading demands are shaded. further: their number in the pixel.
+// Returns whether samples that shading demands are shaded. further: their number in the pixel.
 bool agaa_hasRoomFor(float further) {
     return AGAA_TARGET_EVENTS == 0u || agaa_demandBin(further) >= agaa_choices.words[AGAA_DEMAND_LIMIT_AT];
 }

@@ -116,7 +116,8 @@ vec3 agaa_shadeMeans(uvec2 pixel, vec3 position, uint a, uint mask, agaa_Means m
 #if AGAA_LIT
     agaa_findLitSurfaces(pixel, mask, toEye);
 #endif
-    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s), s.diffuse) : agaa_lightSurface(s, position);
+    vec3 color =
+        agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s), s.diffuse) : agaa_lightSurface(s, position);
     return color * float(bitCount(mask));
 }
 #endif

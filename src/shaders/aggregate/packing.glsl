@@ -18,8 +18,9 @@ uint agaa_packed[AGAA_MAX_WORDS]; // words of one fragment, by agaa_packSurface(
 void agaa_pack(uint field, float value) {
     uint bits = agaa_fieldBits(field);
     if (bits != 0u)
-        agaa_packed[field & 0xFFu] |= (agaa_isSignedField(field) ? agaa_signedCode(value, bits) : agaa_quantise(value, bits))
-                                      << (field >> 8u & 0xFFu);
+        agaa_packed[field & 0xFFu] |=
+            (agaa_isSignedField(field) ? agaa_signedCode(value, bits) : agaa_quantise(value, bits))
+            << (field >> 8u & 0xFFu);
 }
 
 // Packs the words that a fragment adds to an aggregate for each of its samples.

@@ -8,8 +8,8 @@
 #include "math/ndf.glsl"
 #include "common/camera.glsl"
 
-// Whether samples of one plane may be in several aggregates (AGAA_CONFIG_SPLIT_SURFACES). The planner then sets a
-// cosine above 1, which no two normals have.
+// Returns whether samples of one plane may be in several aggregates (AGAA_CONFIG_SPLIT_SURFACES). The planner then sets
+// a cosine above 1, which no two normals have.
 bool agaa_splitsSurfaces() { return AGAA_AGGREGATES > 1u && agaa_frame.surfaceCosine > 1.0; }
 
 struct agaa_PixelSamples {
@@ -36,8 +36,8 @@ agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
 // quantum   Step of its stored depth.
 // offset    Position in the pixel, [0, 1].
 // code      Equal for equal normals.
-void agaa_addSampleAt(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 offset, vec3 normal,
-                    uint code) {
+void agaa_addSampleAt(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 offset,
+                      vec3 normal, uint code) {
     samples.covered |= 1u << (i & 31u);
     float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection22, agaa_frame.projection32,
                                         agaa_isOrthographic(), quantum);
@@ -55,7 +55,8 @@ uint agaa_codeOfNormal(vec3 normal) {
 
 float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {
     float distance = agaa_scaleDistance(samples.nearest, agaa_frame.projectionScale.x, agaa_isOrthographic());
-    return agaa_characteristicLength(agaa_frame.characteristicLength, agaa_frame.characteristicLengthPerDistance, distance);
+    return agaa_characteristicLength(agaa_frame.characteristicLength, agaa_frame.characteristicLengthPerDistance,
+                                     distance);
 }
 
 // Returns the tolerance of a surface to its plane, without the steps of depth.

@@ -47,8 +47,8 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 // code     Equal for equal normals.
 void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 normal, uint code) {
     float depth = agaa_depthOf(pixel, i);
-    agaa_addSampleAt(samples, i, agaa_sampleViewPosition(pixel, i, depth), depth, agaa_storedQuantum(depth), agaa_sampleLocation(i),
-                   normal, code);
+    agaa_addSampleAt(samples, i, agaa_sampleViewPosition(pixel, i, depth), depth, agaa_storedQuantum(depth),
+                     agaa_sampleLocation(i), normal, code);
 }
 
 #ifndef AGAA_HOST_FETCH

@@ -28,7 +28,8 @@ const uint agaa_anyComponent = 4u; // AGAA_COVERAGE_COMPONENT of ids, of which a
 
 bool agaa_isVisible(uvec2 pixel, uint i) {
     vec4 texel = AGAA_FETCH(agaa_normals, pixel, i);
-    return AGAA_COVERAGE_COMPONENT != agaa_anyComponent ? texel[AGAA_COVERAGE_COMPONENT & 3u] > 0.0 : texel != vec4(0.0);
+    return AGAA_COVERAGE_COMPONENT != agaa_anyComponent ? texel[AGAA_COVERAGE_COMPONENT & 3u] > 0.0
+                                                        : texel != vec4(0.0);
 }
 #endif
 #endif
@@ -99,7 +100,8 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     position = agaa_toShadingSpace(
         agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
 #endif
-    return agaa_shadeMeans(pixel, position, a, mask, agaa_meansOfAggregate(pixel, normals), AGAA_FOLDED_ROUGHNESS != 0u);
+    return agaa_shadeMeans(pixel, position, a, mask, agaa_meansOfAggregate(pixel, normals),
+                           AGAA_FOLDED_ROUGHNESS != 0u);
 }
 
 void main() {

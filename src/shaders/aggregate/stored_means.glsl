@@ -18,7 +18,8 @@ agaa_Means agaa_meansOfStored(agaa_Stored v) {
     m.specular = vec3(0.0);
     m.alpha2 = 1.0;
     if (AGAA_HAS_SPECULAR != 0u) {
-        m.specular = AGAA_YCBCR_SPECULAR != 0u ? max(agaa_yCbCrToRgb(v.specular), vec3(0.0)) : agaa_storedSpecular(v.specular);
+        m.specular =
+            AGAA_YCBCR_SPECULAR != 0u ? max(agaa_yCbCrToRgb(v.specular), vec3(0.0)) : agaa_storedSpecular(v.specular);
         m.alpha2 = agaa_fieldBits(AGAA_FIELD_ROUGHNESS) != 0u ? v.alpha2 : agaa_factAlpha2(1.0);
     }
     m.emissive = vec3(0.0);

@@ -39,7 +39,8 @@ void agaa_countEvents(uint count) {
     agaa_laneCounts[AGAA_COUNT_EVENTS] += count;
     agaa_laneCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_laneCounts[AGAA_COUNT_MAX_EVENTS], count);
     if (count != 0u)
-        ++agaa_laneCounts[AGAA_COUNT_PIXELS_OF_1 + min(uint(findMSB(count - 1u) + 1), AGAA_COUNT_PIXELS_OF_MORE - AGAA_COUNT_PIXELS_OF_1)];
+        ++agaa_laneCounts[AGAA_COUNT_PIXELS_OF_1 +
+                          min(uint(findMSB(count - 1u) + 1), AGAA_COUNT_PIXELS_OF_MORE - AGAA_COUNT_PIXELS_OF_1)];
 }
 // Reports samples of the pixel about which the geometry passes disagree.
 void agaa_reportPixel(uvec2 pixel, uvec4 visible, uvec4 uncovered, uvec4 overlapping) {

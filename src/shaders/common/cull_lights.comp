@@ -89,7 +89,8 @@ bool agaa_reaches(agaa_GpuLight light, agaa_Box box, mat3 toView) {
     vec3 middle = 0.5 * (box.low + box.high);
     vec3 direction = toView * light.direction;
     float size = max(length(direction), 0.5); // about 1
-    return light.type != AGAA_LIGHT_SPOT || agaa_coneReaches(at, direction / size, light.cosOuter / size, middle, length(box.high - middle));
+    return light.type != AGAA_LIGHT_SPOT ||
+           agaa_coneReaches(at, direction / size, light.cosOuter / size, middle, length(box.high - middle));
 }
 
 void main() {

@@ -62,7 +62,9 @@ vec3 agaa_shownOfPixel(uint events, vec3 mean) {
     case AGAA_DEBUG_VIEW_FACTS:
         return mean;
     default:
-        return agaa_tierColor(agaa_shownUnfetched ? AGAA_TIER_GBUFFER : AGAA_GENERATION_TIER) * (events == 0u ? 0.0 : events == 1u ? 0.5 : 1.0);
+        return agaa_tierColor(agaa_shownUnfetched ? AGAA_TIER_GBUFFER : AGAA_GENERATION_TIER) * (events == 0u   ? 0.0
+                                                                                                 : events == 1u ? 0.5
+                                                                                                                : 1.0);
     }
 }
 #endif

@@ -52,7 +52,9 @@ vec4 agaa_constant(uint i) { return uintBitsToFloat(agaa_constantWords(i)); }
 
 void agaa_loadConstant(uint word, out float v) { v = agaa_constant(word / 4u)[word % 4u]; }
 void agaa_loadConstant(uint word, out uint v) { v = agaa_constantWords(word / 4u)[word % 4u]; }
-void agaa_loadConstant(uint word, out vec2 v) { v = word % 4u == 0u ? agaa_constant(word / 4u).xy : agaa_constant(word / 4u).zw; }
+void agaa_loadConstant(uint word, out vec2 v) {
+    v = word % 4u == 0u ? agaa_constant(word / 4u).xy : agaa_constant(word / 4u).zw;
+}
 void agaa_loadConstant(uint word, out uvec2 v) { v = agaa_constantWords(word / 4u).xy; }
 void agaa_loadConstant(uint word, out vec3 v) { v = agaa_constant(word / 4u).xyz; }
 void agaa_loadConstant(uint word, out vec4 v) { v = agaa_constant(word / 4u); }
@@ -95,7 +97,8 @@ vec2 agaa_sampleLocation(uint i) {
     return (i & 1u) != 0u ? two.zw : two.xy;
 }
 
-// Whether the frame does not show an effect that the pipeline has: the variant without it may not be compiled yet.
+// Returns whether the frame does not show an effect that the pipeline has: the variant without it may not be compiled
+// yet.
 bool agaa_leavesOut(uint fact) {
 #if AGAA_FRAMES_LEAVE_OUT
     return (agaa_opaque(agaa_frame.absentEffects) & fact) != 0u;

@@ -32,7 +32,8 @@ void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal, bool isExact) {
     m.normal = agaa_factNormal(m.normal, planeNormal);
     if (agaa_hasFact(AGAA_FACT_PLANE_NORMALS))
         m.normalDx = m.normalDy = vec3(0.0);
-    m.diffuse = AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_FACTS ? vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0) : agaa_factDiffuse(m.diffuse);
+    m.diffuse = AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_FACTS ? vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0)
+                                                         : agaa_factDiffuse(m.diffuse);
     m.specular = agaa_factSpecular3(m.specular);
     m.alpha2 = agaa_factAlpha2(m.alpha2);
 }

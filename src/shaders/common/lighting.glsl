@@ -83,7 +83,7 @@ float agaa_visibility[AGAA_MAX_SHADOW_MAPS]; // by shadow map, of the current su
 agaa_Surface agaa_litSurface[AGAA_MAX_SHADOW_MAPS]; // the part of it that the lights of these shadows reach
 #endif
 
-// Whether the visibility is that of the lit surface, not of taps.
+// Returns whether the visibility is that of the lit surface, not of taps.
 bool agaa_isLitShadow(uint map) {
 #if AGAA_LIT
     return (AGAA_LIT_SHADOWS >> map & 1u) != 0u;

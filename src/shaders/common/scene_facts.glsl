@@ -50,7 +50,9 @@ vec3 agaa_storedSpecular(vec3 specular) {
                                                                                       : agaa_factSpecular3(specular);
 }
 
-vec3 agaa_factNormal(vec3 normal, vec3 planeNormal) { return agaa_hasFact(AGAA_FACT_PLANE_NORMALS) ? planeNormal : normal; }
+vec3 agaa_factNormal(vec3 normal, vec3 planeNormal) {
+    return agaa_hasFact(AGAA_FACT_PLANE_NORMALS) ? planeNormal : normal;
+}
 
 float agaa_factAlpha2(float alpha2) {
     return agaa_hasFact(AGAA_FACT_ONE_ROUGHNESS) ? uintBitsToFloat(AGAA_ONE_ALPHA2) : alpha2;

@@ -46,8 +46,8 @@ void agaa_addFragment(inout agaa_PixelSamples samples, uvec2 pixel, uint i, uint
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     vec3 normal = agaa_planeNormal(p);
     agaa_itemFragment[i] = fragment;
-    agaa_addSampleAt(samples, i, agaa_viewPositionAt(pixel, middle + 0.5, depth), depth, 2.4e-7 * depth, middle + 0.5, normal,
-                   agaa_codeOfNormal(normal));
+    agaa_addSampleAt(samples, i, agaa_viewPositionAt(pixel, middle + 0.5, depth), depth, 2.4e-7 * depth, middle + 0.5,
+                     normal, agaa_codeOfNormal(normal));
     if (AGAA_GLOSS_WEIGHT == 0u)
         return;
     AgaaMaterial m = agaa_fetchCovered(p, pixel, middle);
@@ -236,7 +236,8 @@ vec3 agaa_meanFragmentPosition(uvec2 pixel, uint head, uint a, float weight) {
         uvec4 mask = agaa_maskOf(record);
         uint count = agaa_coverageCount(mask);
         if (agaa_aggregateOf(record) == a && count != 0u) {
-            vec3 position = agaa_surfacePosition(pixel, agaa_keptPlane(record), agaa_coverageMiddle(mask, AGAA_SAMPLES));
+            vec3 position =
+                agaa_surfacePosition(pixel, agaa_keptPlane(record), agaa_coverageMiddle(mask, AGAA_SAMPLES));
             first = isFirst ? position : first;
             isFirst = false;
             away += (position - first) * float(count);
@@ -300,7 +301,8 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 #if AGAA_LIT
     agaa_findLitSurfaces(pixel, head, a, weight, toEye);
 #endif
-    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s), s.diffuse) : agaa_lightSurface(s, position);
+    vec3 color =
+        agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s), s.diffuse) : agaa_lightSurface(s, position);
     return color * weight;
 }
 

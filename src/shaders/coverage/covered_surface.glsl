@@ -37,7 +37,8 @@ agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uin
 
 // Returns the surface as it is after storing and loading.
 agaa_CoveredSurface agaa_asStored(agaa_CoveredSurface s) {
-    return agaa_surfaceOfWords(s.mask, floatBitsToUint(s.plane.x), agaa_packSlopes(s.plane.yz), agaa_packNormal(s.normal));
+    return agaa_surfaceOfWords(s.mask, floatBitsToUint(s.plane.x), agaa_packSlopes(s.plane.yz),
+                               agaa_packNormal(s.normal));
 }
 
 // Converts a depth that increases away from the eye to that of the depth buffer.

@@ -3,8 +3,10 @@
 #define AGAA_GROWING_DEPTH_GLSL
 #include "math/depth_plane.glsl"
 
-// Whether the plane is at the far plane, which is background.
-bool agaa_isAtFarDepth(agaa_DepthPlane plane) { return AGAA_FAR_DEPTH != 0u ? plane.range.x >= 1.0 : plane.range.y <= 0.0; }
+// Returns whether the plane is at the far plane, which is background.
+bool agaa_isAtFarDepth(agaa_DepthPlane plane) {
+    return AGAA_FAR_DEPTH != 0u ? plane.range.x >= 1.0 : plane.range.y <= 0.0;
+}
 
 // Returns depth and slopes with depths that increase away from the eye.
 vec3 agaa_growingDepth(agaa_DepthPlane plane) { return agaa_planeInRange(plane) * (AGAA_FAR_DEPTH != 0u ? 1.0 : -1.0); }

@@ -3,14 +3,15 @@
 #define AGAA_LIST_ORDER_GLSL
 #include "coverage/fragment_words.glsl"
 
-// Whether the first fragment precedes the second, whose id is given. Fragments of material lists may share a number;
-// their words then decide, so that frames are repeatable.
+// Returns whether the first fragment precedes the second, whose id is given. Fragments of material lists may share a
+// number; their words then decide, so that frames are repeatable.
 bool agaa_isBefore(uint record, uint other, uint id) {
     uint firstId = agaa_fragments.words[record];
 #ifdef AGAA_MATERIAL_LISTS
     if (firstId == id) {
         uint word = 2u;
-        while (word + 1u < AGAA_FRAGMENT_WORDS && agaa_fragments.words[record + word] == agaa_fragments.words[other + word])
+        while (word + 1u < AGAA_FRAGMENT_WORDS &&
+               agaa_fragments.words[record + word] == agaa_fragments.words[other + word])
             ++word;
         return agaa_fragments.words[record + word] < agaa_fragments.words[other + word];
     }

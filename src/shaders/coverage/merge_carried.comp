@@ -13,7 +13,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "coverage/material_lists.glsl"
 #include "coverage/covered_surface.glsl"
 
-bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material, out agaa_NormalSpread spread) {
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material,
+                       out agaa_NormalSpread spread) {
     s.mask = agaa_maskOf(record);
     s.plane = agaa_keptPlane(record);
     s.normal = agaa_keptNormal(record);

@@ -14,7 +14,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "ids/stored_material.glsl"
 #include "coverage/surface_spread.glsl"
 
-bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material, out agaa_NormalSpread spread) {
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material,
+                       out agaa_NormalSpread spread) {
     s.mask = agaa_maskOf(record);
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     agaa_DepthPlane plane = agaa_planeOf(p, pixel);

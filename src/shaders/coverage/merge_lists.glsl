@@ -33,7 +33,7 @@ void agaa_mergePixel(uvec2 pixel) {
     }
 }
 
-// Whether this draw kept all fragments of the group's tile.
+// Returns whether this draw kept all fragments of the group's tile.
 bool agaa_isTileInBatch() {
     if (!agaa_hasBatches())
         return true;
@@ -43,7 +43,7 @@ bool agaa_isTileInBatch() {
     return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size)] == batch;
 }
 
-// Whether this draw has tiles to keep.
+// Returns whether this draw has tiles to keep.
 bool agaa_isDrawNeeded() {
     uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
     return batch == 0u || batch < agaa_fragments.words[AGAA_LIST_BATCHES];

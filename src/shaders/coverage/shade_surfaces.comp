@@ -18,7 +18,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(AGAA_BINDING_SURFACE_TARGETS) uniform usampler2DArray agaa_surfaces; // four words a layer
 uvec2 agaa_surfacesOf = uvec2(0u);
 void agaa_seekSurfaces(uvec2 pixel) { agaa_surfacesOf = pixel; }
-uint agaa_readSurfaces(uint word) { return texelFetch(agaa_surfaces, ivec3(agaa_surfacesOf, word >> 2u), 0)[word & 3u]; }
+uint agaa_readSurfaces(uint word) {
+    return texelFetch(agaa_surfaces, ivec3(agaa_surfacesOf, word >> 2u), 0)[word & 3u];
+}
 #else
 layout(std430, AGAA_BINDING_SURFACES) readonly buffer agaa_SurfaceBlock {
     uint words[];
@@ -92,8 +94,9 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     float weight = float(agaa_coverageCount(mask));
     agaa_base = base + AGAA_MATERIAL_WORD;
     agaa_Means m = agaa_meansOfStored(agaa_storedMeans());
-    agaa_Surface s = agaa_Surface(m.diffuse, m.specular, m.emissive,
-                                  agaa_unpackNormal(agaa_readSurfaces(base + AGAA_NORMAL_WORD)), 1.0, m.alpha2, 0.0, vec3(0.0));
+    agaa_Surface s =
+        agaa_Surface(m.diffuse, m.specular, m.emissive, agaa_unpackNormal(agaa_readSurfaces(base + AGAA_NORMAL_WORD)),
+                     1.0, m.alpha2, 0.0, vec3(0.0));
     float widening = 0.0;
     if (AGAA_SPREAD_WORDS != 0u && AGAA_HAS_SPECULAR != 0u) {
         uint at = base + AGAA_SPREAD_WORD;

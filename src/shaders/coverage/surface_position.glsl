@@ -35,7 +35,8 @@ void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
         agaa_addTaps(position);
     for (uint j = 0u; j < taps && taps > 1u; ++j) {
         uint sampleOf = agaa_coveredSample(mask, (2u * j + 1u) * count / (2u * taps));
-        agaa_addTaps(agaa_surfacePosition(pixel, agaa_shownPlane(shown, sampleOf), agaa_coveragePosition(sampleOf, AGAA_SAMPLES)));
+        agaa_addTaps(agaa_surfacePosition(pixel, agaa_shownPlane(shown, sampleOf),
+                                          agaa_coveragePosition(sampleOf, AGAA_SAMPLES)));
     }
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);

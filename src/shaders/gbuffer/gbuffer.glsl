@@ -115,7 +115,7 @@ bool agaa_isCovered(uvec2 pixel, uint i) {
 // Fetches sample i for a shading event that represents these samples.
 void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel, i); }
 
-// Whether two samples have the same values. The samples of a texel that one fragment covered have.
+// Returns whether two samples have the same values. The samples of a texel that one fragment covered have.
 bool agaa_areAlike(uvec2 pixel, uint a, uint b) {
     return AGAA_FETCH(agaa_gbuffer0, pixel, a) == AGAA_FETCH(agaa_gbuffer0, pixel, b) &&
            AGAA_FETCH(agaa_gbuffer1, pixel, a) == AGAA_FETCH(agaa_gbuffer1, pixel, b) &&
@@ -135,7 +135,9 @@ vec3 agaa_storedEmissive() {
 vec3 agaa_fetchedNormal() { return agaa_decodeOct(agaa_normalCode(), agaa_fieldBits(AGAA_SOURCE_NORMAL_X)); }
 vec3 agaa_fetchedDiffuse() { return agaa_fetched.diffuse; }
 vec3 agaa_fetchedSpecular() { return agaa_storedSpecular(agaa_fetched.specular); }
-float agaa_fetchedAlpha2() { return agaa_fieldBits(AGAA_SOURCE_ROUGHNESS) != 0u ? agaa_fetched.alpha2 : agaa_factAlpha2(1.0); }
+float agaa_fetchedAlpha2() {
+    return agaa_fieldBits(AGAA_SOURCE_ROUGHNESS) != 0u ? agaa_fetched.alpha2 : agaa_factAlpha2(1.0);
+}
 void agaa_storeFetchedCustom(inout agaa_Stored v) { v.custom = agaa_fetched.custom; }
 #endif
 

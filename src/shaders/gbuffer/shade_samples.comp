@@ -28,7 +28,7 @@ float agaa_materialDifference(agaa_Surface a, agaa_Surface b) {
     return d;
 }
 
-// Whether the pixel shows several surfaces. mask: one or more samples with geometry.
+// Returns whether the pixel shows several surfaces. mask: one or more samples with geometry.
 bool agaa_isComplex(uvec2 pixel, uint mask) {
     uint i = uint(findLSB(mask));
     agaa_fetchSample(pixel, i);
@@ -87,7 +87,8 @@ vec3 agaa_shadeEvent(uint lane, uint which) {
     agaa_findVisibility(pixel, mask);
     agaa_fetchSample(pixel, i);
     agaa_Surface s = agaa_sampleSurface();
-    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse) : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
+    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)
+                               : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
            float(bitCount(mask));
 }
 

@@ -5,7 +5,7 @@
 #error "far_plane.glsl needs AGAA_FAR_DEPTH."
 #endif
 
-// Whether a sample of this fragment may have the far plane's depth. Returns true for NaN.
+// Returns whether a sample of this fragment may have the far plane's depth. Returns true for NaN.
 bool agaa_mayReachFarPlane() {
     float reach = 2.0 * fwidth(gl_FragCoord.z); // samples lie within half a texel
 #if AGAA_FAR_DEPTH

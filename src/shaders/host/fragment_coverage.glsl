@@ -19,7 +19,8 @@ AGAA_AT_CORNERS flat in AGAA_CORNER agaa_corners[3];
 // outside the triangle are moved inside. The host interpolates its flat attributes by the members at, and dx and dy,
 // the change per pixel.
 agaa_Barycentrics agaa_cornerWeights(vec2 offset) {
-    return agaa_barycentrics(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz, gl_FragCoord.xy + offset, vec2(1.0));
+    return agaa_barycentrics(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz, gl_FragCoord.xy + offset,
+                             vec2(1.0));
 }
 
 #if AGAA_TABLE_SIZE
@@ -39,9 +40,11 @@ uvec4 agaa_cornerCoverage() {
     vec3 a = agaa_vertexFromCentre(agaa_corners[0].xyz, gl_FragCoord.xy);
     vec3 b = agaa_vertexFromCentre(agaa_corners[1].xyz, gl_FragCoord.xy);
     vec3 c = agaa_vertexFromCentre(agaa_corners[2].xyz, gl_FragCoord.xy);
-    return agaa_joinEdges(a, b, c, agaa_edgeByTable(b, c), agaa_edgeByTable(c, a), agaa_edgeByTable(a, b), AGAA_SAMPLES);
+    return agaa_joinEdges(a, b, c, agaa_edgeByTable(b, c), agaa_edgeByTable(c, a), agaa_edgeByTable(a, b),
+                          AGAA_SAMPLES);
 #else
-    return agaa_triangleCoverage(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz, gl_FragCoord.xy, AGAA_SAMPLES);
+    return agaa_triangleCoverage(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz, gl_FragCoord.xy,
+                                 AGAA_SAMPLES);
 #endif
 }
 

@@ -15,8 +15,9 @@ uint agaa_wasSanitised = 0u;
 // Fills agaa_payload, and sets agaa_wasSanitised if a member of s was not finite or out of range. Returns false for a
 // triangle at the far plane, which is background.
 bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask) {
-    agaa_DepthPlane plane = agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
-                                            vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);
+    agaa_DepthPlane plane =
+        agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
+                        vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);
     vec3 kept = agaa_growingDepth(plane);
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | agaa_sanitiseNormalChange(s.normalDx, s.normalDy);
     agaa_wasSanitised = bad;

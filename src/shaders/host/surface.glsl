@@ -11,7 +11,7 @@ struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
     // normal of the primitive's plane, on either side. Read in the visibility pass, and in all passes
     vec3 geometricNormal;
-                          // with AGAA_FACT_PLANE_NORMALS or AGAA_CONFIG_CHECK_FACTS
+                          // needed by AGAA_FACT_PLANE_NORMALS or AGAA_CONFIG_CHECK_FACTS
     // read if AGAA_ALPHA_MASKED is 1. It must be equal in all passes: declare it precise and evaluate
     float alpha;
                           // it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on the samples that survive. A non-finite

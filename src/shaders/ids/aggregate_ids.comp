@@ -35,7 +35,9 @@ agaa_Means agaa_meansOf(uint lane, uint mask, float scale, bool isLit) {
 #if AGAA_LIT
 uint agaa_eventLane = 0u; // the lane of the event's pixel
 
-agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(agaa_eventLane, mask, scale, true); }
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
+    return agaa_meansOf(agaa_eventLane, mask, scale, true);
+}
 #endif
 
 vec3 agaa_shadeEvent(uint lane, uint a) {

@@ -53,7 +53,8 @@ float agaa_planeNormalError(AgaaPrimitive p) {
 
 // Returns the plane normal in shading space; the direction to the eye for a primitive without area.
 vec3 agaa_facingNormal(AgaaPrimitive p, float normalError) {
-    return normalError < 1.0 ? agaa_toShadingSpace(agaa_planeNormal(p)) : agaa_toEye(agaa_toShadingSpace(agaa_vertexViewPosition(p.a)));
+    return normalError < 1.0 ? agaa_toShadingSpace(agaa_planeNormal(p))
+                             : agaa_toEye(agaa_toShadingSpace(agaa_vertexViewPosition(p.a)));
 }
 
 // Evaluates the primitive's weights at an offset in the pixel, [0, 1].
@@ -82,7 +83,7 @@ AgaaMaterial agaa_evaluateMaterial(AgaaPrimitive p) {
     return m;
 }
 
-// Whether each texel of the target has separate materials (AGAA_CONFIG_FINE_MATERIALS).
+// Returns whether each texel of the target has separate materials (AGAA_CONFIG_FINE_MATERIALS).
 bool agaa_hasFineMaterials() { return AGAA_FINE_MATERIALS != 0u; }
 
 // Returns the samples of a pixel that share a primitive's material with this one.

@@ -111,7 +111,7 @@ agaa_Content agaa_contentOf(uint i) {
     return content;
 }
 
-// Whether a precedes b. With equal keys either order is valid, and the index makes the result deterministic.
+// Returns whether a precedes b. With equal keys either order is valid, and the index makes the result deterministic.
 bool agaa_contentPrecedes(agaa_Content a, agaa_Content b) {
     bool precedes = a.sample_ < b.sample_;
     if (a.keyA != b.keyA) {

@@ -17,14 +17,14 @@ real agaa_sanitiseAlpha(real alpha) {
 // the position and is compared with the cutoff at the sample's position. offset: from the texel's centre to the
 // sample, in texels, [-1/2, 1/2].
 
-// Whether a sample is covered, with alpha as a plane. gradient: change of alpha per texel.
+// Returns whether a sample is covered, with alpha as a plane. gradient: change of alpha per texel.
 bool agaa_isInCutout(real alpha, real cutoff, rvec2 gradient, rvec2 offset) {
     PRECISE real margin = (alpha - cutoff) + (gradient.x * offset.x + gradient.y * offset.y);
     return margin >= real(0.0);
 }
 
-// Whether a sample is covered, with alpha bilinear through four points, which also follows corners and thin stems.
-// Point k, 0 to 3, is at (k & 1, k >> 1) / 2 - 1/4 texels from the centre.
+// Returns whether a sample is covered, with alpha bilinear through four points, which also follows corners and thin
+// stems. Point k, 0 to 3, is at (k & 1, k >> 1) / 2 - 1/4 texels from the centre.
 bool agaa_isInCutout4(rvec4 alpha, real cutoff, rvec2 offset) {
     PRECISE real x = offset.x * real(2.0) + real(0.5);
     PRECISE real y = offset.y * real(2.0) + real(0.5);

@@ -19,7 +19,7 @@ rvec3 agaa_coverageTableLine(uint entry, uint size) {
     return rvec3(a, real(1.0) - abs(a), c);
 }
 
-// Whether the entry's mask has the sample at this position, from the pixel's centre.
+// Returns whether the entry's mask has the sample at this position, from the pixel's centre.
 bool agaa_isInTableEntry(uint entry, uint size, rvec2 position) {
     const rvec3 line = agaa_coverageTableLine(entry, size);
     return entry < size * size && line.x * position.x + line.y * position.y + line.z >= real(0.0);

@@ -113,7 +113,7 @@ rvec3 agaa_planeInRange(agaa_DepthPlane plane) {
     return rvec3(plane.range.x + halfRange, plane.slope.x * flattened, plane.slope.y * flattened);
 }
 
-// Whether two surfaces may touch within the pixel. tolerance: of depths, at least the step of the depth format.
+// Returns whether two surfaces may touch within the pixel. tolerance: of depths, at least the step of the depth format.
 bool agaa_depthsOverlap(agaa_DepthPlane a, agaa_DepthPlane b, real tolerance) {
     return a.range.x <= b.range.y + tolerance && b.range.x <= a.range.y + tolerance;
 }

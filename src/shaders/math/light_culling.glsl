@@ -10,7 +10,7 @@ real agaa_positionError(real size) { return real(1e-5) * size; }
 
 real agaa_largestOf(rvec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
-// Whether agaa_pointAttenuation() may be above 0 within the box from `low` to `high`. A range of 0 has no end.
+// Returns whether agaa_pointAttenuation() may be above 0 within the box from `low` to `high`. A range of 0 has no end.
 bool agaa_rangeReaches(rvec3 light, real range, rvec3 low, rvec3 high) {
     if (!(range > real(0.0)))
         return true;
@@ -20,7 +20,7 @@ bool agaa_rangeReaches(rvec3 light, real range, rvec3 low, rvec3 high) {
     return !(dot(d, d) > reach * reach); // NaN: true
 }
 
-// Whether agaa_spotCone() may be above 0 within the sphere. direction: unit, from the light.
+// Returns whether agaa_spotCone() may be above 0 within the sphere. direction: unit, from the light.
 bool agaa_coneReaches(rvec3 light, rvec3 direction, real cosOuter, rvec3 centre, real radius) {
     if (cosOuter <= real(0.0)) // half of space or more
         return true;

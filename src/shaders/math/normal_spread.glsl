@@ -77,7 +77,8 @@ agaa_NormalSpread agaa_spreadOfChange(rvec3 normal, rvec3 dx, rvec3 dy, rvec3 po
 }
 
 // Widens a lobe like agaa_spreadAlpha2().
-void agaa_widenBySpread(agaa_NormalSpread s, real alpha2, uint sggx, OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
+void agaa_widenBySpread(agaa_NormalSpread s, real alpha2, uint sggx, OUT(rvec3) axis, OUT(real) along,
+                        OUT(real) across) {
     agaa_NormalMoments m = agaa_NormalMoments(rvec3(real(0.0)), rvec3(real(0.0)));
     agaa_addSpread(m, real(1.0), s);
     agaa_spreadAlpha2(m, s.normal, s.meanLength, alpha2, sggx, real(0.0), axis, along, across);

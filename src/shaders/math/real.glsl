@@ -1,5 +1,5 @@
 // The number type of the shared mathematics, and macros for syntax that differs between GLSL and C++.
-// Source: AGAA SDK design, section 3 ("math is written once"); hard cases 37 and 56.
+// Source: docs/numerics.md, cases 37 and 56.
 //
 // In C++ the includer (tests/math/shader_math.h) defines AGAA_MATH_CPP and declares real, rvec2 to rvec4, uvec2 to
 // uvec4, OUT, INOUT, PRECISE and agaa_exponentIsAllOnes() for its precision. Literals are always inside real(), because
@@ -16,7 +16,7 @@
 #define INOUT(T) inout T
 #define PRECISE precise // neither contracted nor reordered
 
-// Whether x is infinite or NaN, whose exponent bits are all ones. A compiler that assumes no NaNs may remove a
+// Returns whether x is infinite or NaN, whose exponent bits are all ones. A compiler that assumes no NaNs may remove a
 // comparison x == x, but not a test of bits.
 bool agaa_exponentIsAllOnes(real x) {
     return (floatBitsToUint(x) & 0x7F800000u) == 0x7F800000u;

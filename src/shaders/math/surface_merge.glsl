@@ -51,8 +51,8 @@ struct agaa_Insertion {
 };
 
 agaa_Insertion agaa_noInsertion() {
-    return agaa_Insertion(AGAA_NO_SURFACE, AGAA_NO_SURFACE, real(0.0), real(1.0), AGAA_NO_SURFACE, real(1.0), real(1.0), false,
-                          0u);
+    return agaa_Insertion(AGAA_NO_SURFACE, AGAA_NO_SURFACE, real(0.0), real(1.0), AGAA_NO_SURFACE, real(1.0), real(1.0),
+                          false, 0u);
 }
 
 agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last is the current fragment
@@ -117,7 +117,7 @@ uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
     return best;
 }
 
-// Whether a is in front of b by the depths at the pixel's centre. The lower index breaks ties.
+// Returns whether a is in front of b by the depths at the pixel's centre. The lower index breaks ties.
 bool agaa_isInFront(uint a, uint b) {
     const real x = agaa_centreDepth(agaa_kept[a]);
     const real y = agaa_centreDepth(agaa_kept[b]);

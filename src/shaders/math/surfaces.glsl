@@ -35,7 +35,7 @@ agaa_Plane agaa_planeOf(uint i) {
     return plane;
 }
 
-// Whether sample i is on the plane. The depths of both samples may differ by a step.
+// Returns whether sample i is on the plane. The depths of both samples may differ by a step.
 bool agaa_isOnSurface(agaa_Plane plane, uint i, real cosine, real width) {
     const rvec3 between = agaa_samplePosition[i] - plane.position;
     const rvec3 normal = agaa_sampleNormal[i];
@@ -44,7 +44,7 @@ bool agaa_isOnSurface(agaa_Plane plane, uint i, real cosine, real width) {
            abs(dot(normal, between)) <= farthest;
 }
 
-// Whether all samples show one surface, that of the first sample by content.
+// Returns whether all samples show one surface, that of the first sample by content.
 bool agaa_areAllOneSurface(uint n, uint covered, real cosine, real width) {
     agaa_Farthest first = agaa_noneYet();
     uint i = 0u;
