@@ -404,33 +404,36 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
 #define AGAA_FACT_EMISSIVE UINT64_C(0x02)
 /* Changes draw passes only; it has no effect in AgaaFrame::facts. */
 #define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
-/* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa"
- * * and "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier FRAGMENTS
- * fail * with AGAA_ERROR_UNSUPPORTED. It selects the tier of the view and has no effect in AgaaFrame::facts. */
 #define AGAA_FACT_AMBIENT UINT64_C(0x08)
-/* Bits of AgaaSceneFacts::flags: properties that all materials and lights of the scene share. The plan drops the *
- * data and the work that they make redundant. If a material differs, its value is replaced;
- * AGAA_CONFIG_CHECK_FACTS * counts such materials. * * ONE_ROUGHNESS the roughness is AgaaSceneFacts::alpha2. No
- * roughness is stored, except by "dcaa" * GREY_SPECULAR the specular reflectance has equal channels. One channel
- * is stored: the mean of the three * ONE_SPECULAR the specular reflectance is AgaaSceneFacts::specular, as for
- * dielectrics. It is not stored * NO_DIFFUSE the diffuse albedo is 0, as for metals. It is not stored *
- * NO_LOCAL_LIGHTS all lights are directional. The view culls no lights * PLANE_NORMALS AgaaSurfaceInput::normal is
- * geometricNormal, or with an AgaaFetchFunction the normal of the * triangle, on the side of the eye: the scene
- * has no normal maps and no interpolated normals. The * fact has no effect with an AgaaGBufferFunction. With
- * NO_LOCAL_LIGHTS and without * AGAA_FACT_SPECULAR, aggregates of two geometry passes keep no normals and take the
- * normals of * the first pass, which have 16 bits * NO_TRANSLUCENCY alpha-masked materials are cut-outs
- * (AgaaSurfaceInput::alphaCutoff > 0) * NO_CUTOUTS alpha-masked materials are translucent, if NO_TRANSLUCENCY is
- * not set. */
+/* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa"
+ * and "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier FRAGMENTS fail
+ * with AGAA_ERROR_UNSUPPORTED. It selects the tier of the view and has no effect in AgaaFrame::facts. */
 #define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10)
+/* Bits of AgaaSceneFacts::flags: properties that all materials and lights of the scene share. The plan drops the
+ * data and the work that they make redundant. If a material differs, its value is replaced; AGAA_CONFIG_CHECK_FACTS
+ * counts such materials.
+ *
+ * ONE_ROUGHNESS     the roughness is AgaaSceneFacts::alpha2. No roughness is stored, except by "dcaa"
+ * GREY_SPECULAR     the specular reflectance has equal channels. One channel is stored: the mean of the three
+ * ONE_SPECULAR      the specular reflectance is AgaaSceneFacts::specular, as for dielectrics. It is not stored
+ * NO_DIFFUSE        the diffuse albedo is 0, as for metals. It is not stored
+ * NO_LOCAL_LIGHTS   all lights are directional. The view culls no lights
+ * PLANE_NORMALS     AgaaSurfaceInput::normal is geometricNormal, or with an AgaaFetchFunction the normal of the
+ *                   triangle, on the side of the eye: the scene has no normal maps and no interpolated normals. The
+ *                   fact has no effect with an AgaaGBufferFunction. With NO_LOCAL_LIGHTS and without
+ *                   AGAA_FACT_SPECULAR, aggregates of two geometry passes keep no normals and take the normals of
+ *                   the first pass, which have 16 bits
+ * NO_TRANSLUCENCY   alpha-masked materials are cut-outs (AgaaSurfaceInput::alphaCutoff > 0)
+ * NO_CUTOUTS        alpha-masked materials are translucent, if NO_TRANSLUCENCY is not set */
 #define AGAA_FACT_ONE_ROUGHNESS UINT64_C(0x100)
 #define AGAA_FACT_GREY_SPECULAR UINT64_C(0x200)
 #define AGAA_FACT_ONE_SPECULAR UINT64_C(0x400)
 #define AGAA_FACT_NO_TRANSLUCENCY UINT64_C(0x2000)
 #define AGAA_FACT_NO_CUTOUTS UINT64_C(0x4000)
-/* If a layout has emission of one channel, a factor of the albedo, the view fails with AGAA_ERROR_LAYOUT. */
 #define AGAA_FACT_PLANE_NORMALS UINT64_C(0x8000)
-/* Point and spot lights fail with AGAA_ERROR_OUT_OF_RANGE. */
+/* If a layout has emission of one channel, a factor of the albedo, the view fails with AGAA_ERROR_LAYOUT. */
 #define AGAA_FACT_NO_DIFFUSE UINT64_C(0x800)
+/* Point and spot lights fail with AGAA_ERROR_OUT_OF_RANGE. */
 #define AGAA_FACT_NO_LOCAL_LIGHTS UINT64_C(0x1000)
 #define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
 
@@ -461,14 +464,15 @@ AGAA_API void AGAA_CALL agaaInitSceneFacts(AgaaSceneFacts* outFacts, size_t stru
 #define AGAA_VIEW_COMPOSITE UINT64_C(0x02)
 /* OpenGL: the rasteriser maps z/w in [-1, 1] to depth, which is its default. Without the flag it maps z/w in [0, 1].
  * The near and far planes of AgaaFrame::projection lie at the ends of that range. Vulkan: AGAA_ERROR_UNSUPPORTED. */
-/* The host's vertex shaders expand triangles in the pass FRAGMENTS (AgaaDrawState::vertexPulling), so that "dcaa"
- * * and the tier FRAGMENTS of "agaa" need no geometry shaders. Without the flag geometry shaders expand them, and
- * a * device without AGAA_DEVICE_GEOMETRY_SHADERS fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers do
- * not * use the flag. */
 #define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
-/* Describes a view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained *
- * (agaa/functions.h). */
+/* The host's vertex shaders expand triangles in the pass FRAGMENTS (AgaaDrawState::vertexPulling), so that "dcaa"
+ * and the tier FRAGMENTS of "agaa" need no geometry shaders. Without the flag geometry shaders expand them, and a
+ * device without AGAA_DEVICE_GEOMETRY_SHADERS fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers do not
+ * use the flag. */
 #define AGAA_VIEW_VERTEX_PULLING UINT64_C(0x08)
+
+/* Describes a view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained
+ * (agaa/functions.h). */
 typedef struct AgaaViewDesc {
     uint32_t sType;
     uint32_t structSize;
