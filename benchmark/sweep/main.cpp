@@ -1,12 +1,6 @@
 // agaa-sweep: the command line of a sweep; docs/sweep.md describes its files.
-#include "cli/arguments.h"
-#include "render/messages.h"
+#include "cli/program.h"
 #include "sweep/command.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
-#include <exception>
 
 using namespace harness;
 
@@ -31,41 +25,17 @@ void addOptions(CLI::App& app, SweepArguments& arguments, bool& json) {
     app.add_flag("--json", json, "one JSON object on stdout and nothing else");
 }
 
-// Prints what the graphics API reported when devices were destroyed, such as leaked objects. Returns the exit status.
-int reportLeftovers() {
-    const std::vector<ApiMessage> messages = takeLeftoverMessages();
-    for (const ApiMessage& message : messages)
-        std::fprintf(stderr, "agaa-sweep: %s: %s\n", message.id.c_str(), message.text.c_str());
-    return messages.empty() ? 0 : 1;
-}
-
-int run(int argc, char** argv) {
+void run(int argc, char** argv) {
     CLI::App app("AGAA SDK sweep: measures techniques and writes results.json and report.html", "agaa-sweep");
     SweepArguments arguments;
     bool json = false;
     addOptions(app, arguments, json);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& help) {
-        app.exit(help);
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        throw BadArgument(error.what());
-    }
-    runSweep(arguments, json);
-    return reportLeftovers();
+    if (parseArguments(app, argc, argv))
+        runSweep(arguments, json);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const BadArgument& error) {
-        std::fprintf(stderr, "agaa-sweep: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "agaa-sweep: %s\n", error.what());
-        return 1;
-    }
+    return runProgram("agaa-sweep", [=] { run(argc, argv); });
 }

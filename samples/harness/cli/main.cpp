@@ -1,13 +1,9 @@
 // agaa-harness: the sample engine's command line.
 #include "cli/commands.h"
-#include "render/messages.h"
-
-#include <CLI/CLI.hpp>
+#include "cli/program.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -125,15 +121,6 @@ void addGoalOptions(CLI::App& app, ChooseArguments& a) {
     app.add_flag("--observe", a.observe, "render frames of --technique, or of single, and choose by what they show");
 }
 
-// Prints the messages of the graphics API from the destruction of devices, for example about leaked objects. Returns
-// the exit status.
-int reportLeftovers() {
-    const std::vector<ApiMessage> messages = takeLeftoverMessages();
-    for (const ApiMessage& message : messages)
-        std::fprintf(stderr, "agaa-harness: %s: %s\n", message.id.c_str(), message.text.c_str());
-    return messages.empty() ? 0 : 1;
-}
-
 // Replaces this process by the agaa-sweep beside it. arguments: null-terminated, as of main(); the first one is
 // replaced.
 [[noreturn]] void execSweep(char** arguments) {
@@ -145,7 +132,7 @@ int reportLeftovers() {
                              ", which cannot be run: " + std::strerror(errno) + ".");
 }
 
-int run(int argc, char** argv) {
+void run(int argc, char** argv) {
     if (argc > 1 && std::string_view(argv[1]) == "sweep")
         execSweep(argv + 1);
     CLI::App app("AGAA SDK sample engine");
@@ -219,15 +206,8 @@ int run(int argc, char** argv) {
 
     app.add_subcommand("sweep", "runs agaa-sweep: techniques beside each other, as results.json and report.html");
 
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& help) {
-        app.exit(help);
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        std::fprintf(stderr, "agaa-harness: %s\n", error.what());
-        return 2;
-    }
+    if (!parseArguments(app, argc, argv))
+        return;
     if (*caps)
         runCaps(capsDevice, json);
     else if (*memory)
@@ -246,19 +226,10 @@ int run(int argc, char** argv) {
         runReference(referenceArguments, json);
     else
         runCompare(compareArguments, json);
-    return reportLeftovers();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const BadArgument& error) {
-        std::fprintf(stderr, "agaa-harness: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "agaa-harness: %s\n", error.what());
-        return 1;
-    }
+    return runProgram("agaa-harness", [=] { run(argc, argv); });
 }
