@@ -27,13 +27,16 @@ bool hasStencil(VkFormat format) {
 
 } // namespace
 
-ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source, const std::string& name) {
-    const std::vector<uint32_t> code = compileGlsl(stage, source, name);
+ShaderModule makeShader(const Device& device, std::span<const uint32_t> spirv) {
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    info.codeSize = code.size() * sizeof(uint32_t);
-    info.pCode = code.data();
+    info.codeSize = spirv.size_bytes();
+    info.pCode = spirv.data();
     return make<ShaderModule>(device.get(), vkCreateShaderModule, info, "create a shader module");
+}
+
+ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source, const std::string& name) {
+    return makeShader(device, compileGlsl(stage, source, name));
 }
 
 PipelineState::PipelineState(uint32_t colorAttachments) {

@@ -12,6 +12,7 @@
 
 namespace harness::vk {
 
+ShaderModule makeShader(const Device& device, std::span<const uint32_t> spirv);
 ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source, const std::string& name);
 
 // State with triangle lists, dynamic viewport and scissor, and without depth, stencil or colour until the user sets

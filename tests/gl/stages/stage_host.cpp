@@ -211,7 +211,7 @@ StageView::StageView(StageContext& context, const ViewSettings& settings)
     std::vector<AgaaDrawPass> passes(count, AgaaDrawPass AGAA_DRAW_PASS_INIT);
     require(agaaGetDrawPasses(view_, &count, passes.data()), context, "agaaGetDrawPasses");
     for (const AgaaDrawPass& pass : passes)
-        programs_.emplace(pass.pipelineKey, Programs{program(pass, false), program(pass, true)});
+        programs_.emplace(pass.pipelineKey, PassPrograms{passProgram(pass, false), passProgram(pass, true)});
     const GLuint array = vertexArray_.get();
     gl_.VertexArrayVertexBuffer(array, 0, vertices_.get(), 0, sizeof(Vertex));
     for (GLuint i = 0; i < 6; ++i) {
@@ -227,19 +227,21 @@ StageView::~StageView() {
     agaaDestroyView(view_);
 }
 
-Program StageView::program(const AgaaDrawPass& pass, bool isMasked) const {
+StageView::PassProgram StageView::passProgram(const AgaaDrawPass& pass, bool isMasked) const {
     const std::string version = versionLine(glslVersion(gl_)), defines = shaderDefines(settings_, pass.pass, isMasked);
-    return Program(
-        gl_,
+    PassProgram made;
+    made.vertex =
         pass.glslVertex
             ? rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslVertex + pullingText)
-            : version + defines + vertexText,
-        rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText),
-        pass.name,
-        pass.glslGeometry
-            ? rasterisedInOrder(settings_, version + pass.glslExtensions + pass.glslGeometry +
-                                               (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText))
-            : "");
+            : version + defines + vertexText;
+    made.fragment =
+        rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText);
+    if (pass.glslGeometry)
+        made.geometry =
+            rasterisedInOrder(settings_, version + pass.glslExtensions + pass.glslGeometry +
+                                             (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText));
+    made.name = pass.name;
+    return made;
 }
 
 void StageView::setTriangles(const std::vector<Triangle>& triangles) {
@@ -343,10 +345,13 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     gl_.BindVertexArray(vertexArray_.get());
     if (state.vertexPulling)
         gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, vertices_.get());
-    const Programs& programs = programs_.at(target.pipelineKey);
+    PassPrograms& programs = programs_.at(target.pipelineKey);
     const glm::mat4 clip = clipMatrix(settings_, target.pass);
     for (const Run& run : runs_.at(target.pass)) {
-        const Program& program = run.isMasked ? programs.masked : programs.opaque;
+        PassProgram& made = programs[run.isMasked];
+        if (!made.linked)
+            made.linked = Program(gl_, made.vertex, made.fragment, made.name, made.geometry);
+        const Program& program = made.linked;
         gl_.UseProgram(program.get());
         setStencilTest(gl_, run.isMasked ? state.stencilTestMasked : state.stencilTest);
         gl_.UniformMatrix4fv(program.uniform("clip"), 1, GL_FALSE, glm::value_ptr(clip));

@@ -12,6 +12,7 @@
 // The library's own, for looking inside.
 #include "../../../src/gl/view.h"
 
+#include <array>
 #include <map>
 
 namespace agaa::test {
@@ -91,7 +92,6 @@ public:
 private:
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
     AgaaResult draw(const AgaaDrawTarget& target);
-    harness::gl::Program program(const AgaaDrawPass& pass, bool isMasked) const;
 
     StageContext& context_;
     const GladGLContext& gl_;
@@ -101,11 +101,16 @@ private:
     harness::gl::Texture output_;
     harness::gl::VertexArray vertexArray_;
     harness::gl::Buffer vertices_;
-    struct Programs {
-        harness::gl::Program opaque, masked;
+    // The first draw with it links a program, so that kinds that are not drawn cost nothing.
+    struct PassProgram {
+        std::string vertex, fragment, geometry, name;
+        harness::gl::Program linked;
     };
-    std::map<uint64_t, Programs> programs_;     // by pipeline key
-    std::map<uint32_t, std::vector<Run>> runs_; // by AgaaDrawPassId
+    PassProgram passProgram(const AgaaDrawPass& pass, bool isMasked) const;
+
+    using PassPrograms = std::array<PassProgram, 2>; // opaque, masked
+    std::map<uint64_t, PassPrograms> programs_;      // by pipeline key
+    std::map<uint32_t, std::vector<Run>> runs_;      // by AgaaDrawPassId
 };
 
 } // namespace agaa::test

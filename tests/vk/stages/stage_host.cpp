@@ -165,6 +165,15 @@ void require(AgaaResult result, const StageContext& context, const char* call) {
     throw std::runtime_error(context.lines.empty() ? call : context.lines.back().text);
 }
 
+// Cases compile the same texts again and again.
+std::span<const uint32_t> spirvOf(ShaderStage stage, const std::string& text, const std::string& name) {
+    static std::map<std::pair<ShaderStage, std::string>, std::vector<uint32_t>> compiled;
+    std::vector<uint32_t>& spirv = compiled[{stage, text}];
+    if (spirv.empty())
+        spirv = compileGlsl(stage, text, name);
+    return spirv;
+}
+
 std::unique_ptr<Device> device;
 
 // When the device goes, the layers tell of objects that were left.
@@ -261,59 +270,63 @@ StageView::StageView(StageContext& context, const ViewSettings& settings)
         require(agaaVkCreateView(context.get(), &desc, &view_), context, "agaaVkCreateView");
 
     set_ = StorageSet(sharedDevice(), 2, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
-    makePipelines();
+    const auto check = [this](AgaaResult result) { require(result, context_, "agaaGetDrawPasses"); };
+    for (const auto& pass : harness::drawPassesOf(view_, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT, check))
+        addPass(pass);
 }
 
 StageView::~StageView() { agaaDestroyView(view_); }
 
-void StageView::makePipelines() {
-    Device& device = sharedDevice();
-    const std::string vertex =
-        "#version 450\n" + shaderDefines(settings_, AGAA_DRAW_PASS_VISIBILITY, false) + vertexText;
-    vertex_ = makeShader(device, ShaderStage::Vertex, vertex, "triangles.vert");
-    const auto check = [this](AgaaResult result) { require(result, context_, "agaaGetDrawPasses"); };
-    for (auto& pass : harness::drawPassesOf(view_, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT, check)) {
-        pass.state = drawState(settings_, pass.state, pass.pass);
-        PassPipelines& made = passes_[pass.pipelineKey];
-        const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.native.descriptorSetLayout, set_.layout()};
-        const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(Push)};
-        VkPipelineLayoutCreateInfo layout{};
-        layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-        layout.setLayoutCount = 2;
-        layout.pSetLayouts = layouts;
-        layout.pushConstantRangeCount = 1;
-        layout.pPushConstantRanges = &push;
-        made.layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layout, "create a pipeline layout");
-        for (int masked : {0, 1}) {
-            const std::string text = rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
-                                                                      shaderDefines(settings_, pass.pass, masked != 0) +
-                                                                      pass.glslDeclarations + fragmentText);
-            made.fragments[masked] = makeShader(device, ShaderStage::Fragment, text, pass.name);
-            PipelineState state(pass, masked != 0);
-            state.vertexLocations = 0;
-            if (pass.glslGeometry && !made.geometry)
-                made.geometry =
-                    makeShader(device, ShaderStage::Geometry,
-                               rasterisedInOrder(
-                                   settings_, std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry +
-                                                  (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)),
-                               pass.name);
-            state.geometry = made.geometry.get();
-            if (pass.glslVertex && !made.pulling)
-                made.pulling =
-                    makeShader(device, ShaderStage::Vertex,
-                               rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
-                                                                shaderDefines(settings_, pass.pass, false) +
-                                                                pass.glslVertex + pullingText),
-                               pass.name);
-            if (pass.state.vertexPulling)
-                state.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
-            const auto renderPass = (VkRenderPass)pass.native.renderPass;
-            made.pipelines[masked] =
-                state.create(device, (made.pulling ? made.pulling : vertex_).get(), made.fragments[masked].get(),
-                             made.layout.get(), renderPass, renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
-        }
-    }
+void StageView::addPass(const harness::DrawPass<AgaaVkDrawPass>& pass) {
+    const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.native.descriptorSetLayout, set_.layout()};
+    const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(Push)};
+    VkPipelineLayoutCreateInfo layout{};
+    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    layout.setLayoutCount = 2;
+    layout.pSetLayouts = layouts;
+    layout.pushConstantRangeCount = 1;
+    layout.pPushConstantRanges = &push;
+    PassPipelines& made = passes_[pass.pipelineKey];
+    made.layout =
+        make<PipelineLayout>(sharedDevice().get(), vkCreatePipelineLayout, layout, "create a pipeline layout");
+    made.pass = pass;
+    made.pass.state = drawState(settings_, pass.state, pass.pass);
+    const auto textOf = [](const char* text) { return std::string(text ? text : ""); };
+    made.extensions = textOf(pass.glslExtensions);
+    made.declarations = textOf(pass.glslDeclarations);
+    made.vertexText = textOf(pass.glslVertex);
+    made.geometryText = textOf(pass.glslGeometry);
+    made.name = textOf(pass.name);
+}
+
+VkPipeline StageView::pipelineOf(PassPipelines& made, bool isMasked) {
+    if (made.pipelines[isMasked])
+        return made.pipelines[isMasked].get();
+    const auto shader = [&](ShaderStage stage, const std::string& text) {
+        return makeShader(sharedDevice(), spirvOf(stage, "#version 450\n" + text, made.name));
+    };
+    const auto inOrder = [&](const std::string& text) { return rasterisedInOrder(settings_, made.extensions + text); };
+    const uint32_t pass = made.pass.pass;
+    if (!made.vertex)
+        made.vertex = shader(ShaderStage::Vertex,
+                             made.vertexText.empty()
+                                 ? shaderDefines(settings_, AGAA_DRAW_PASS_VISIBILITY, false) + vertexText
+                                 : inOrder(shaderDefines(settings_, pass, false) + made.vertexText + pullingText));
+    if (!made.geometryText.empty() && !made.geometry)
+        made.geometry =
+            shader(ShaderStage::Geometry,
+                   inOrder(made.geometryText + (pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)));
+    const ShaderModule fragment = shader(
+        ShaderStage::Fragment, inOrder(shaderDefines(settings_, pass, isMasked) + made.declarations + fragmentText));
+    PipelineState state(made.pass, isMasked);
+    state.vertexLocations = 0;
+    state.geometry = made.geometry.get();
+    if (made.pass.state.vertexPulling)
+        state.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+    const auto renderPass = (VkRenderPass)made.pass.native.renderPass;
+    made.pipelines[isMasked] = state.create(sharedDevice(), made.vertex.get(), fragment.get(), made.layout.get(),
+                                            renderPass, renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
+    return made.pipelines[isMasked].get();
 }
 
 void StageView::setTriangles(const std::vector<Triangle>& triangles) {
@@ -384,7 +397,7 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     if (result != drawResults.end())
         return result->second;
     const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
-    const PassPipelines& pass = passes_.at(target.pipelineKey);
+    PassPipelines& pass = passes_.at(target.pipelineKey);
     setViewport(commands, target.width, target.height);
     const VkDescriptorSet sets[] = {(VkDescriptorSet)target.descriptorSet, set_.get()};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout.get(), 0, 2, sets, 0, nullptr);
@@ -394,7 +407,7 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     };
     pushConstants();
     for (const Run& run : runs_.at(target.pass)) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.pipelines[run.isMasked].get());
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelineOf(pass, run.isMasked));
         if (!target.state.vertexPulling) {
             vkCmdDraw(commands, 3 * run.count, settings_.instances, 3 * run.first, 0);
             continue;

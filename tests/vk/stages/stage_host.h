@@ -118,13 +118,17 @@ public:
 private:
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
     AgaaResult draw(const AgaaDrawTarget& target);
-    void makePipelines();
-
+    // The pipelines of a pass. The first draw of each kind creates its own, so that kinds that are not drawn cost
+    // nothing.
     struct PassPipelines {
+        harness::DrawPass<AgaaVkDrawPass> pass; // without its texts, which a resized view replaces
+        std::string extensions, declarations, vertexText, geometryText, name;
         harness::vk::PipelineLayout layout;
-        harness::vk::ShaderModule fragments[2], geometry, pulling;
+        harness::vk::ShaderModule vertex, geometry;
         harness::vk::Pipeline pipelines[2]; // opaque, masked
     };
+    void addPass(const harness::DrawPass<AgaaVkDrawPass>& pass);
+    VkPipeline pipelineOf(PassPipelines& made, bool isMasked);
 
     StageContext& context_;
     ViewSettings settings_;
@@ -134,7 +138,6 @@ private:
     harness::vk::Arena arena_;
     harness::vk::BufferResource vertices_, materials_;
     StorageSet set_;
-    harness::vk::ShaderModule vertex_;
     std::map<uint64_t, PassPipelines> passes_;  // by pipeline key
     std::map<uint32_t, std::vector<Run>> runs_; // by AgaaDrawPassId
 };
