@@ -104,8 +104,7 @@ const char* profile(StateProfile profile) {
 }
 
 std::string codeNames(std::string names) {
-    for (size_t comma = names.find(", "); comma != std::string::npos;
-         comma = names.find(", ", comma + 4))
+    for (size_t comma = names.find(", "); comma != std::string::npos; comma = names.find(", ", comma + 4))
         names.replace(comma, 2, "`, `");
     return '`' + names + '`';
 }
@@ -114,9 +113,8 @@ std::string document() {
     std::ostringstream out;
     out << kBefore << "| State | Description | Profile | Requires | Elements |\n|---|---|---|---|---|\n";
     for (const StateRow& row : stateTable())
-        out << "| " << codeNames(row.name) << " | " << row.description << " | "
-            << profile(row.profile) << " | " << (row.need.name == nullptr ? "" : row.need.name)
-            << " | " << many(row.array) << " |\n";
+        out << "| " << codeNames(row.name) << " | " << row.description << " | " << profile(row.profile) << " | "
+            << (row.need.name == nullptr ? "" : row.need.name) << " | " << many(row.array) << " |\n";
     out << kAfter;
     return out.str();
 }

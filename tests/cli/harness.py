@@ -2,6 +2,7 @@
 import json
 import os
 import subprocess
+import unittest
 
 HARNESS = os.environ["AGAA_HARNESS"]
 
@@ -21,3 +22,12 @@ def data(*arguments):
     if result.returncode != 0:
         raise AssertionError(f"{arguments}: {result.stderr}")
     return json.loads(result.stdout)
+
+
+class Shard(unittest.TestLoader):
+    """Loads every count-th method of each case: those of number/count in AGAA_SHARD, or all without it."""
+
+    def getTestCaseNames(self, case):
+        names = super().getTestCaseNames(case)
+        number, count = map(int, os.environ.get("AGAA_SHARD", "1/1").split("/"))
+        return names[number - 1::count]

@@ -340,4 +340,4 @@ class RenderOnOpenGl(Render):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(testLoader=harness.Shard())
