@@ -148,6 +148,10 @@ class Guides(unittest.TestCase):
         self.assertLessEqual(len(lines), 15)
 
 
+    def test_kept_pages_are_small(self):
+        for page in (ROOT / "docs").rglob("*.html"):
+            self.assertLessEqual(page.stat().st_size, 2_000_000, page)
+
     def test_glossary_is_alphabetical(self):
         text = (ROOT / "docs" / "glossary.md").read_text()
         words = re.findall(r"^\| ([^|]*) \|", text, flags=re.MULTILINE)[1:]
@@ -190,6 +194,8 @@ class Format(unittest.TestCase):
             good.write_text("int a;\n")
             bad.write_text("int  a;\n")
             result = subprocess.run([FORMAT, "--check", good, bad], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            if result.returncode == 77:
+                self.skipTest(result.stderr)
             self.assertEqual((result.returncode, result.stdout), (1, ""))
             self.assertEqual(result.stderr.splitlines()[1:], [str(bad)])
             self.assertEqual(subprocess.run([FORMAT, good, bad]).returncode, 0)
