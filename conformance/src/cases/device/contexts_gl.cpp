@@ -56,7 +56,7 @@ std::vector<ContextRow> wrongOpenGlContexts() {
         add("AgaaGlDeviceDesc::statePolicy = " + text, range, "statePolicy", [=](D& d) { d.gl.statePolicy = value; });
         add("AgaaGlDeviceDesc::constants = " + text, range, "constants", [=](D& d) { d.gl.constants = value; });
     }
-    // The first invalid values of those whose last valid value is 1.
+    // Storage and outputs accept 0 and 1.
     add("AgaaGlDeviceDesc::storage = 2", range, "storage", [](D& d) { d.gl.storage = 2; });
     add("AgaaGlDeviceDesc::outputs = 2", range, "outputs", [](D& d) { d.gl.outputs = 2; });
     GLint imageUnits = 0;

@@ -67,7 +67,7 @@ void testSegments(Test& test) {
         expectSegmentsRefused(rig, row.first, row.second, expected);
 }
 
-// The host records the first segments of a frame and then no more of it: the next frame is complete.
+// The host gives a frame up after its first segments. The next frame must be complete.
 void testAbandonedFrame(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();

@@ -20,7 +20,7 @@ AgaaSceneFacts noFacts() {
     return facts;
 }
 
-// A view with few effects, so that frames can name others.
+// Leaves the view few effects, so that the facts of frames can exceed them.
 void useAmbientOnly(ViewDescription& description) { description.facts.flags = AGAA_FACT_AMBIENT; }
 void unmask(Scene& scene) {
     for (Vertex& vertex : scene)
