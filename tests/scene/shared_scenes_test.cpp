@@ -27,12 +27,16 @@ std::filesystem::path folder() {
     return named ? std::filesystem::path(named) : std::filesystem::path(AGAA_SOURCE_DIR) / ".." / "shared" / "scenes";
 }
 
+std::string missing(const std::filesystem::path& path) {
+    return path.filename().string() + " is missing. Set $AGAA_SCENES to a folder that has each scene as NAME/NAME.glb.";
+}
+
 class SharedSceneTest : public testing::TestWithParam<SharedScene> {
 protected:
     void SetUp() override {
         path = folder() / GetParam().name / (std::string(GetParam().name) + ".glb");
         if (!std::filesystem::exists(path))
-            GTEST_SKIP() << path << " is not there; AGAA_SCENES names the folder of scenes";
+            GTEST_SKIP() << missing(path);
     }
     std::filesystem::path path;
 };
@@ -73,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SharedSceneTest,
 TEST(SharedScenes, GeneratedTangentsAgreeWithTheFilesOwn) {
     const std::filesystem::path path = folder() / "khronos_flight_helmet" / "khronos_flight_helmet.glb";
     if (!std::filesystem::exists(path))
-        GTEST_SKIP() << path << " is not there; AGAA_SCENES names the folder of scenes";
+        GTEST_SKIP() << missing(path);
     const Scene scene = loadGltf(path);
     std::vector<Vertex> vertices = scene.vertices;
     for (const Mesh& mesh : scene.meshes)

@@ -22,24 +22,29 @@ std::vector<TestScene> builtinTestScenes() {
     return list;
 }
 
+struct SharedScene {
+    const char* name;
+    glm::dvec3 eye, target;
+    double fov;
+};
+static const SharedScene sharedScenes[] = {
+    {"stk_gran_paradiso", {132.1, 8.5, -86.8}, {150, 8.0, -70}, 60},
+    {"stk_ravenbridge_mansion", {-4.7, 1.8, 75.8}, {-8, 1.5, 65}, 60},
+    {"fg_carrier", {40, 40, 20}, {86, 50, -25}, 35},
+    {"sh3d_foliage", {1, 1.8, 12}, {0.5, 4, 0}, 50},
+    {"khronos_flight_helmet", {0.5, 0.5, 0.8}, {0, 0.35, 0}, 35},
+};
+
+static std::filesystem::path pathOf(const SharedScene& scene) {
+    const char* named = std::getenv("AGAA_SCENES");
+    const std::filesystem::path folder = named ? named : AGAA_SOURCE_DIR "/../shared/scenes";
+    return folder / scene.name / (std::string(scene.name) + ".glb");
+}
+
 std::vector<TestScene> sharedTestScenes() {
-    const char* folder = std::getenv("AGAA_SCENES");
-    const std::filesystem::path root = folder ? folder : AGAA_SOURCE_DIR "/../shared/scenes";
-    struct Row {
-        const char* name;
-        glm::dvec3 eye, target;
-        double fov;
-    };
-    const Row rows[] = {
-        {"stk_gran_paradiso", {132.1, 8.5, -86.8}, {150, 8.0, -70}, 60},
-        {"stk_ravenbridge_mansion", {-4.7, 1.8, 75.8}, {-8, 1.5, 65}, 60},
-        {"fg_carrier", {40, 40, 20}, {86, 50, -25}, 35},
-        {"sh3d_foliage", {1, 1.8, 12}, {0.5, 4, 0}, 50},
-        {"khronos_flight_helmet", {0.5, 0.5, 0.8}, {0, 0.35, 0}, 35},
-    };
     std::vector<TestScene> list;
-    for (const Row& row : rows) {
-        const auto path = root / row.name / (std::string(row.name) + ".glb");
+    for (const SharedScene& row : sharedScenes) {
+        const std::filesystem::path path = pathOf(row);
         if (!std::filesystem::exists(path))
             continue;
         TestScene scene{row.name, path.string(), {}, true};
@@ -59,9 +64,13 @@ std::vector<TestScene> allTestScenes() {
 }
 
 void expectSharedScenes() {
-    if (sharedTestScenes().size() < 5)
-        GTEST_SKIP() << "only " << sharedTestScenes().size()
-                     << " of 5 shared scenes are in $AGAA_SCENES or ../shared/scenes";
+    std::string missing;
+    for (const SharedScene& scene : sharedScenes)
+        if (!std::filesystem::exists(pathOf(scene)))
+            missing += (missing.empty() ? "" : ", ") + std::string(scene.name);
+    if (!missing.empty())
+        GTEST_SKIP() << "The test needs scenes that are missing: " << missing
+                     << ". Set $AGAA_SCENES to a folder that has each scene as NAME/NAME.glb.";
 }
 
 RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width, uint32_t height) {

@@ -17,10 +17,11 @@ struct TestScene {
 
 // The built-in scenes.
 std::vector<TestScene> builtinTestScenes();
-// The shared scenes in $AGAA_SCENES or beside the source tree; empty where they are absent.
+// Returns the shared scenes that exist, each as NAME/NAME.glb in $AGAA_SCENES. If the variable is not set, the folder
+// is beside the source tree.
 std::vector<TestScene> sharedTestScenes();
 std::vector<TestScene> allTestScenes();
-// Skips the test at hand where some of the shared scenes are absent.
+// Skips the running test if a shared scene is missing.
 void expectSharedScenes();
 
 // 17 lights, the scene's facts, counters on.

@@ -1,7 +1,9 @@
-// Views that OpenGL refuses for what the host declares, and contexts beside each other.
+// Views that OpenGL refuses for what the host declares, handles of Vulkan, and contexts beside each other.
 #include "bench.h"
 #include "dcaa_cases.h"
 #include "show.h"
+
+#include "core/frame/context.h"
 
 #include <cstdio>
 
@@ -40,6 +42,25 @@ TEST(GlMisuse, FunctionsOfViewsAreRefusedInASentence) {
     } else {
         std::printf("Extensions of the host's code are not tried: no GL_ARB_shader_group_vote.\n");
     }
+}
+
+// The conformance suite tests the same with a Vulkan device. Here the handle needs none.
+TEST(GlMisuse, HandlesOfVulkanAreRefused) {
+    std::vector<LogLine> lines;
+    const AgaaLog log = logInto(lines);
+    AgaaContextDesc commonDesc = AGAA_CONTEXT_DESC_INIT;
+    commonDesc.log = &log;
+    AgaaContext_T vulkan(Backend::Vulkan, commonDesc);
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    EXPECT_EQ(agaaGlGetContextCaps(&vulkan, &caps), AGAA_ERROR_INVALID_ARGUMENT);
+    expectOneSentence(lines, AGAA_ERROR_INVALID_ARGUMENT, "caps");
+    lines.clear();
+    const ViewSettings settings = benchSettings();
+    const AgaaViewDesc desc = viewDesc(settings);
+    AgaaView view = nullptr;
+    EXPECT_EQ(agaaGlCreateView(&vulkan, &desc, &view), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(view, nullptr);
+    expectOneSentence(lines, AGAA_ERROR_INVALID_ARGUMENT, "view");
 }
 
 // Two views of one context, and another OpenGL context beside it.

@@ -4,6 +4,7 @@
 
 #include "cases/core/header_check.h"
 #include "cases/core/structs.h"
+#include "hosts/gl_device.h"
 
 #include <cstring>
 
@@ -55,6 +56,17 @@ std::vector<ContextRow> wrongOpenGlContexts() {
         add("AgaaGlDeviceDesc::statePolicy = " + text, range, "statePolicy", [=](D& d) { d.gl.statePolicy = value; });
         add("AgaaGlDeviceDesc::constants = " + text, range, "constants", [=](D& d) { d.gl.constants = value; });
     }
+    // Storage and outputs accept 0 and 1.
+    add("AgaaGlDeviceDesc::storage = 2", range, "storage", [](D& d) { d.gl.storage = 2; });
+    add("AgaaGlDeviceDesc::outputs = 2", range, "outputs", [](D& d) { d.gl.outputs = 2; });
+    GLint imageUnits = 0;
+    glGetIntegerv(GL_MAX_IMAGE_UNITS, &imageUnits);
+    add("an image unit beyond GL_MAX_IMAGE_UNITS", range, "AGAA_GL_BINDING_COUNTERS", [=](D& d) {
+        d.gl.storage = AGAA_GL_STORAGE_IMAGES;
+        d.gl.bindings[AGAA_GL_BINDING_COUNTERS] = uint32_t(imageUnits);
+    });
+    add("AgaaGlDeviceDesc::bindings[AGAA_GL_BINDING_COUNT] = 9", range, "bindings",
+        [](D& d) { d.gl.bindings[AGAA_GL_BINDING_COUNT] = 9; });
     for (uint32_t i = 0; i < AGAA_GL_MAX_BINDINGS; ++i)
         add("AgaaGlDeviceDesc::bindings[" + std::to_string(i) + "] = 0xFFFFFFF0", range, "bindings",
             [=](D& d) { d.gl.bindings[i] = 0xFFFFFFF0; });

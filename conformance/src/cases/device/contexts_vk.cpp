@@ -5,6 +5,7 @@
 
 #include "cases/core/header_check.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <thread>
@@ -132,7 +133,7 @@ void testFeaturesNull(Test& test) {
                                        std::to_string(flag) + " although the device has the feature.");
 }
 
-// The host's cache replaces the SDK's cache and outlives the context.
+// The host's cache replaces the SDK's cache in all calls and outlives the context.
 void testPipelineCache(Test& test) {
     const auto device = static_cast<VkDevice>(test.device().description().vk.device);
     VkPipelineCacheCreateInfo info{};
@@ -148,6 +149,11 @@ void testPipelineCache(Test& test) {
         ViewDescription description(&test.device());
         ScopedView view(test, context.get(), description);
         test.check(!vulkan.objects.count("PipelineCache"), "the SDK creates a cache although the host has one.");
+        const size_t calls = vulkan.pipelineCaches.size();
+        test.check(calls > 0, "a view creates no pipelines.");
+        const auto others = calls - size_t(std::ranges::count(vulkan.pipelineCaches, cache));
+        test.check(others == 0, std::to_string(others) + " of " + std::to_string(calls) +
+                                    " calls that create pipelines do not get the host's cache.");
     }
     size_t size = 0;
     test.check(vkGetPipelineCacheData(device, cache, &size, nullptr) == VK_SUCCESS, "vkGetPipelineCacheData fails.");

@@ -67,6 +67,18 @@ void testSegments(Test& test) {
         expectSegmentsRefused(rig, row.first, row.second, expected);
 }
 
+// The host gives a frame up after its first segments. The next frame must be complete.
+void testAbandonedFrame(Test& test) {
+    Rig rig(test);
+    const Image expected = rig.render();
+    for (const uint64_t first : {pre, pre | gen}) {
+        AgaaFrame frame = rig.nextFrame();
+        frame.segments = first;
+        test.requireOk(rig.record(frame), rig.function() + " with" + segmentsText(first));
+        expectNextFrame(rig, expected, "a frame with only" + segmentsText(first));
+    }
+}
+
 void testIndices(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
@@ -182,6 +194,7 @@ void testComposite(Test& test) {
 
 void addFrameOrderCases(Suite& suite) {
     addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER", testSegments);
+    addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER/abandoned_frame", testAbandonedFrame);
     addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER/frame_index", testIndices);
     addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER/first_index", testFirstIndex);
     addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER/frames_in_flight", testFramesInFlight);

@@ -34,7 +34,8 @@ RecordHook changed(const std::function<void(AgaaGlFrame&)>& change) {
 void testFormats(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
-    for (const GLenum format : {GL_SRGB8_ALPHA8, GL_RGB8, GL_RGBA4, GL_RGB9_E5, GL_DEPTH_COMPONENT32F}) {
+    for (const GLenum format :
+         {GL_SRGB8_ALPHA8, GL_RGB8, GL_RGBA4, GL_RGB9_E5, GL_DEPTH_COMPONENT32F, GL_RGBA32UI, GL_RGBA16I}) {
         const ScopedTexture output(GL_TEXTURE_2D, format, 32, 24);
         AgaaFrame frame = rig.nextFrame();
         expectFrameRefused(rig, frame,
@@ -87,13 +88,19 @@ void testReserved(Test& test) {
     const Image expected = rig.render();
     if (!isSameVersion(test))
         test.skip("a later library may give the member a meaning.");
-    for (const uint32_t value : {1u, 0xFFFFFFFFu}) {
-        AgaaFrame frame = rig.nextFrame();
-        expectFrameRefused(rig, frame,
-                           {AGAA_ERROR_OUT_OF_RANGE,
-                            rig.function() + " with AgaaGlFrame::reserved = " + std::to_string(value), "reserved"},
-                           expected, changed([value](AgaaGlFrame& f) { f.reserved = value; }));
-    }
+    // The first segments need no output, but the struct is checked.
+    for (const uint64_t segments :
+         {AGAA_SEGMENT_ALL, AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_PREPASS | AGAA_SEGMENT_GENERATION})
+        for (const uint32_t value : {1u, 0xFFFFFFFFu}) {
+            AgaaFrame frame = rig.nextFrame();
+            frame.segments = segments;
+            expectFrameRefused(rig, frame,
+                               {AGAA_ERROR_OUT_OF_RANGE,
+                                rig.function() + " with AgaaGlFrame::reserved = " + std::to_string(value) +
+                                    " and AgaaFrame::segments = " + std::to_string(segments),
+                                "reserved"},
+                               expected, changed([value](AgaaGlFrame& f) { f.reserved = value; }));
+        }
 }
 
 // Creates a program whose vertex shader captures a value.

@@ -103,23 +103,40 @@ void testSegments(Test& test) {
 
 // ---- success ---------------------------------------------------------------------------------------
 
-std::vector<uint64_t> keysOf(Test& test, AgaaView view) {
+std::vector<AgaaDrawPass> passesOf(Test& test, AgaaView view) {
     uint32_t count = 0;
     test.requireOk(test.sdk.agaaGetDrawPasses(view, &count, nullptr), "agaaGetDrawPasses");
     const AgaaDrawPass initial = AGAA_DRAW_PASS_INIT;
     std::vector<AgaaDrawPass> passes(count, initial);
     test.requireOk(test.sdk.agaaGetDrawPasses(view, &count, passes.data()), "agaaGetDrawPasses");
-    std::vector<uint64_t> keys;
-    for (const AgaaDrawPass& pass : passes)
-        keys.push_back(pass.pipelineKey);
-    return keys;
+    return passes;
 }
 
-// A resized view shows the same image as a view that was created with the size. The host keeps its pipelines.
+// Pipeline keys stay equal, and the targets have the new size.
+void expectResizedPasses(Test& test, const std::vector<AgaaDrawPass>& before, const std::vector<AgaaDrawPass>& after,
+                         const Size& size, const std::string& what) {
+    if (!test.check(after.size() == before.size(), what + " changes the number of draw passes."))
+        return;
+    for (size_t i = 0; i < after.size(); ++i) {
+        const AgaaDrawPass& pass = after[i];
+        test.check(pass.pipelineKey == before[i].pipelineKey, what + " changes pipeline keys.");
+        test.check(pass.width == size.width * pass.scaleX && pass.height == size.height * pass.scaleY,
+                   what + ": the target of draw pass " + std::to_string(i) + " has " + std::to_string(pass.width) +
+                       "x" + std::to_string(pass.height) + " texels.");
+    }
+}
+
+// A resized view shows the same image as a view that was created with the size. The host keeps its pipelines. The size
+// is no multiple of a tile.
 void testSuccess(Test& test) {
+    constexpr Size size = {37, 50};
     const std::vector<std::string> names = techniques(test);
     for (const std::string& name : names) {
-        const auto use = [&](ViewDescription& d) { setTechnique(d, name, 4); };
+        const auto use = [&](ViewDescription& d) {
+            setTechnique(d, name, 4);
+            d.desc.width = size.width;
+            d.desc.height = size.height;
+        };
         const auto useSmall = [&](ViewDescription& d) {
             use(d);
             d.desc.width = 8;
@@ -132,16 +149,18 @@ void testSuccess(Test& test) {
         }
         Rig rig(test, useSmall);
         rig.render();
-        const std::vector<uint64_t> keys = keysOf(test, rig.view.get());
-        test.requireOk(test.sdk.agaaResizeView(rig.view.get(), 32, 24), resize);
+        const std::vector<AgaaDrawPass> passes = passesOf(test, rig.view.get());
+        test.requireOk(test.sdk.agaaResizeView(rig.view.get(), size.width, size.height), resize);
         rig.expectNoErrors(resize);
-        test.check(keysOf(test, rig.view.get()) == keys, "\"" + name + "\": agaaResizeView changes pipeline keys.");
-        rig.device().setOutput(32, 24);
+        expectResizedPasses(test, passes, passesOf(test, rig.view.get()), size, "\"" + name + "\": agaaResizeView");
+        rig.device().setOutput(size.width, size.height);
         ViewDescription description(&rig.device());
+        use(description);
         AgaaFrame frame = pixelFrame(rig.device(), description, rig.recorded + 1);
-        rig.scene = smallScene(32, 24);
+        rig.scene = smallScene(size.width, size.height);
         test.requireOk(rig.record(frame), rig.function() + " after agaaResizeView");
-        expectSame(test, rig.device().readOutput(), expected, 32, "\"" + name + "\": the image after agaaResizeView");
+        expectSame(test, rig.device().readOutput(), expected, size.width,
+                   "\"" + name + "\": the image after agaaResizeView");
         rig.expectNoMessages("\"" + name + "\": a frame after agaaResizeView");
     }
 }

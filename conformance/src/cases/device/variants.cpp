@@ -20,7 +20,14 @@ AgaaSceneFacts noFacts() {
     return facts;
 }
 
-// Facts that exceed the default description, each with its error.
+// Leaves the view few effects, so that the facts of frames can exceed them.
+void useAmbientOnly(ViewDescription& description) { description.facts.flags = AGAA_FACT_AMBIENT; }
+void unmask(Scene& scene) {
+    for (Vertex& vertex : scene)
+        vertex.isMasked = 0;
+}
+
+// Facts that exceed those of the view.
 struct WrongFacts {
     std::string what;
     AgaaSceneFacts facts;
@@ -33,14 +40,22 @@ std::vector<WrongFacts> beyond(const AgaaSceneFacts& view) {
     };
     add("one shadow more", [](AgaaSceneFacts& f) { ++f.shadowMapCount; });
     add("one light more", [](AgaaSceneFacts& f) { ++f.maxLights; });
-    add("AGAA_FACT_CUSTOM_DEPTH", [](AgaaSceneFacts& f) { f.flags |= AGAA_FACT_CUSTOM_DEPTH; });
+    for (const auto& [name, flag] :
+         {std::pair("AGAA_FACT_SPECULAR", AGAA_FACT_SPECULAR), std::pair("AGAA_FACT_EMISSIVE", AGAA_FACT_EMISSIVE),
+          std::pair("AGAA_FACT_ALPHA_MASKED", AGAA_FACT_ALPHA_MASKED),
+          std::pair("AGAA_FACT_AMBIENT", AGAA_FACT_AMBIENT),
+          std::pair("AGAA_FACT_CUSTOM_DEPTH", AGAA_FACT_CUSTOM_DEPTH)})
+        if (!(view.flags & flag))
+            add(name, [flag = flag](AgaaSceneFacts& f) { f.flags |= flag; });
     add("an unknown flag", [](AgaaSceneFacts& f) { f.flags |= UINT64_C(1) << 62; });
     return list;
 }
 
 // Invalid elements after a valid one: nothing is prepared.
-void expectNonePrepared(Test& test, AgaaResult code, const std::vector<WrongFacts>& rows) {
-    Rig rig(test);
+void expectNonePrepared(Test& test, AgaaResult code, const std::vector<WrongFacts>& rows,
+                        const Rig::ChangeView& changeView = {}) {
+    Rig rig(test, changeView);
+    unmask(rig.scene);
     const Image expected = rig.render();
     for (const WrongFacts& row : rows) {
         const AgaaSceneFacts facts[] = {noFacts(), row.facts};
@@ -87,22 +102,43 @@ void testUnknownStruct(Test& test) {
 
 // ---- frames -----------------------------------------------------------------------------------------
 
-void testFrameFacts(Test& test) {
-    Rig rig(test);
-    const Image expected = rig.render();
-    for (const WrongFacts& row : beyond(rig.description().facts)) {
-        AgaaFrame frame = rig.nextFrame();
-        frame.facts = &row.facts;
-        expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame whose facts have " + row.what}, expected);
+void testFactsBeyondView(Test& test) {
+    for (const Rig::ChangeView& changeView : {Rig::ChangeView(), Rig::ChangeView(useAmbientOnly)}) {
+        Rig rig(test, changeView);
+        unmask(rig.scene);
+        const Image expected = rig.render();
+        for (const WrongFacts& row : beyond(rig.description().facts)) {
+            AgaaFrame frame = rig.nextFrame();
+            frame.facts = &row.facts;
+            expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame whose facts have " + row.what}, expected);
+        }
     }
-    AgaaSceneFacts none = noFacts();
+}
+
+// The frame has a light and a shadow, as its view allows, and its facts allow only one of them.
+void testFrameBeyondFacts(Test& test) {
+    Rig rig(test, [](ViewDescription& description) { description.facts.shadowMapCount = 1; });
+    const Image expected = rig.render();
     const AgaaLight light = AGAA_LIGHT_INIT;
-    AgaaFrame frame = rig.nextFrame();
-    frame.facts = &none;
-    frame.lights = &light;
-    frame.lightCount = 1;
-    expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame of more lights than its facts", "lightCount"},
-                       expected);
+    const AgaaShadow shadow = AGAA_SHADOW_INIT;
+    AgaaSceneFacts noLights = rig.description().facts, noShadows = rig.description().facts;
+    noLights.maxLights = 0;
+    noShadows.shadowMapCount = 0;
+    for (const auto& [facts, member] : {std::pair(&noLights, "lightCount"), std::pair(&noShadows, "shadowCount")}) {
+        AgaaFrame frame = rig.nextFrame();
+        frame.facts = facts;
+        frame.lights = &light;
+        frame.shadows = &shadow;
+        frame.lightCount = frame.shadowCount = 1;
+        expectFrameRefused(
+            rig, frame, {AGAA_ERROR_OUT_OF_RANGE, std::string("a frame whose facts are below its ") + member, member},
+            expected);
+    }
+}
+
+void testFrameFacts(Test& test) {
+    testFactsBeyondView(test);
+    testFrameBeyondFacts(test);
 }
 
 // Null stands for the facts of the view.
@@ -214,6 +250,8 @@ void addVariantCases(Suite& suite) {
     suite.both("agaaPrepareVariants/AGAA_ERROR_OUT_OF_RANGE", [](Test& test) {
         ViewDescription description(&test.device());
         expectNonePrepared(test, AGAA_ERROR_OUT_OF_RANGE, beyond(description.facts));
+        useAmbientOnly(description);
+        expectNonePrepared(test, AGAA_ERROR_OUT_OF_RANGE, beyond(description.facts), useAmbientOnly);
     });
     suite.both("AgaaFrame.facts/AGAA_ERROR_OUT_OF_RANGE", testFrameFacts);
     suite.both("AgaaFrame.facts/null", testNullFacts);

@@ -62,22 +62,32 @@ template <Function id, class Info, class Handle> struct Create {
 
 using Memory = Create<createMemory, VkMemoryAllocateInfo, VkDeviceMemory>;
 
-PFN_vkCreateComputePipelines realCompute = nullptr;
-PFN_vkDestroyPipeline realDestroyPipeline = nullptr;
-VKAPI_ATTR VkResult VKAPI_CALL createCompute(VkDevice device, VkPipelineCache cache, uint32_t count,
-                                             const VkComputePipelineCreateInfo* infos,
-                                             const VkAllocationCallbacks* callbacks, VkPipeline* out) {
-    VkResult error;
-    if (failsNow("vkCreateComputePipelines", error)) {
+template <class Info> struct CreatePipelines {
+    static inline VkResult(VKAPI_PTR* real)(VkDevice, VkPipelineCache, uint32_t, const Info*,
+                                            const VkAllocationCallbacks*, VkPipeline*) = nullptr;
+    static inline const char* name = nullptr;
+    static VKAPI_ATTR VkResult VKAPI_CALL call(VkDevice device, VkPipelineCache cache, uint32_t count,
+                                               const Info* infos, const VkAllocationCallbacks* callbacks,
+                                               VkPipeline* out) {
+        VkResult error;
+        if (failsNow(name, error)) {
+            for (uint32_t i = 0; i < count; ++i)
+                out[i] = VK_NULL_HANDLE;
+            return error;
+        }
+        if (VulkanInterposer::current)
+            VulkanInterposer::current->addPipelineCache(cache);
+        const VkResult result = real(device, cache, count, infos, callbacks, out);
         for (uint32_t i = 0; i < count; ++i)
-            out[i] = VK_NULL_HANDLE;
-        return error;
+            countNow("Pipeline", out[i] ? 1 : 0);
+        return result;
     }
-    const VkResult result = realCompute(device, cache, count, infos, callbacks, out);
-    for (uint32_t i = 0; i < count; ++i)
-        countNow("Pipeline", out[i] ? 1 : 0);
-    return result;
-}
+};
+
+using CreateCompute = CreatePipelines<VkComputePipelineCreateInfo>;
+using CreateGraphics = CreatePipelines<VkGraphicsPipelineCreateInfo>;
+
+PFN_vkDestroyPipeline realDestroyPipeline = nullptr;
 VKAPI_ATTR void VKAPI_CALL destroyPipeline(VkDevice device, VkPipeline pipeline,
                                            const VkAllocationCallbacks* callbacks) {
     countNow("Pipeline", pipeline ? -1 : 0);
@@ -179,8 +189,14 @@ PFN_vkVoidFunction interpose(const std::string& name, PFN_vkVoidFunction found) 
     }
     if (name == "vkFreeMemory")
         return replace(Memory::realDestroy, found, Memory::destroy);
-    if (name == "vkCreateComputePipelines")
-        return replace(realCompute, found, createCompute);
+    if (name == "vkCreateComputePipelines") {
+        CreateCompute::name = "vkCreateComputePipelines";
+        return replace(CreateCompute::real, found, CreateCompute::call);
+    }
+    if (name == "vkCreateGraphicsPipelines") {
+        CreateGraphics::name = "vkCreateGraphicsPipelines";
+        return replace(CreateGraphics::real, found, CreateGraphics::call);
+    }
     if (name == "vkDestroyPipeline")
         return replace(realDestroyPipeline, found, destroyPipeline);
     if (name == "vkGetPhysicalDeviceProperties")
@@ -220,6 +236,11 @@ bool VulkanInterposer::fails(const char* function, VkResult& error) {
     mustFail(function);
     error = VkResult(error_);
     return failed_ == function;
+}
+
+void VulkanInterposer::addPipelineCache(VkPipelineCache cache) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pipelineCaches.push_back(cache);
 }
 
 } // namespace agaa::conformance

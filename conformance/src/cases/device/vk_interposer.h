@@ -21,6 +21,9 @@ public:
     std::set<std::string> missing;   // functions that getProcAddr does not find
     std::set<std::string> requested; // functions that the SDK requested and Vulkan has
 
+    // The cache argument of each call of vkCreateComputePipelines and vkCreateGraphicsPipelines, in call order.
+    std::vector<VkPipelineCache> pipelineCaches;
+
     // Change the properties of the device. Null changes nothing.
     std::function<void(VkPhysicalDeviceProperties&)> changeProperties;
     std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // called for each queue family
@@ -29,6 +32,7 @@ public:
     // Called by the functions that replace Vulkan's.
     static VulkanInterposer* current;
     bool fails(const char* function, VkResult& error);
+    void addPipelineCache(VkPipelineCache cache);
 };
 
 } // namespace agaa::conformance
