@@ -35,9 +35,9 @@ struct AgaaPrimitive {
     uint primitive;
     vec4 a, b, c; // clip coordinates of its vertices by AgaaFrame::projection, as agaaHostTriangle() gave them
     vec3 at;      // weights of the vertices at the point, perspective-correct, [0;1]
-    // change of the weights per pixel of the image; in "adaptive" times the square root of the share of the
+    // change of the weights per pixel of the image; in "adaptive" times the square root of the share of the pixel that
+    // the shaded sample represents
     vec3 dx, dy;
-                  // pixel that the shaded sample represents
     float facing; // > 0 if a, b, c turn from x to y of the image, < 0 if they turn the other way
 };
 
