@@ -81,7 +81,7 @@ static std::string assemble(const Pass& pass, std::set<std::string> seen, const 
 std::string passGlsl(const Pass& pass) { return assemble(pass, {}, "#version 450\n", pass.compute.defines); }
 
 std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion) {
-    std::string head = "#define AGAA_GL 1\n" + pass.compute.defines;
+    std::string head = "#define AGAA_GL 1\n#define AGAA_CONSTANTS_GLSL\n" + pass.compute.defines;
 #define AGAA_CONSTANT(id, name, value) head += format("const uint %s = %uu;\n", #name, pass.constants[id]);
 #include "shaders/tables/constants.inc"
 #undef AGAA_CONSTANT

@@ -5,7 +5,7 @@
 #error "sample_features.glsl needs target.glsl and display.glsl."
 #endif
 #include "math/adaptive.glsl"
-#include "adaptive/adaptive_flags.glsl" // before gbuffer.glsl, which needs it
+#include "adaptive/adaptive_flags.glsl"
 #include "gbuffer/gbuffer.glsl"
 #include "common/sample_depth.glsl"
 #include "adaptive/stored_choice.glsl"

@@ -1,4 +1,11 @@
-// Forward pass: shades a fragment once for all its samples, with the lighting of the deferred passes.
+// Forward pass: shades a fragment once for all its samples, with the lighting of the deferred passes. Needs
+// AGAA_SHADOWS, AGAA_SHADOW_MAPS, AGAA_HAS_SPECULAR, AGAA_EMISSIVE_CHANNELS and AGAA_EMISSIVE_RANGE.
+#if !defined(AGAA_SHADOWS) || !defined(AGAA_SHADOW_MAPS) || !defined(AGAA_HAS_SPECULAR)
+#error "forward.glsl needs AGAA_SHADOWS, AGAA_SHADOW_MAPS and AGAA_HAS_SPECULAR."
+#endif
+#if !defined(AGAA_EMISSIVE_CHANNELS) || !defined(AGAA_EMISSIVE_RANGE)
+#error "forward.glsl needs AGAA_EMISSIVE_CHANNELS and AGAA_EMISSIVE_RANGE."
+#endif
 layout(early_fragment_tests) in; // hidden fragments are neither shaded nor counted
 void agaa_count(uint counter, uint amount) { agaa_countFragment(counter, amount); }
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))

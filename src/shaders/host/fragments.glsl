@@ -1,8 +1,8 @@
 // Fragments pass: appends the coverage of each fragment, with the id of its primitive or its material, to the list of
 // its pixel. Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
-#ifndef AGAA_HAS_BATCHES
-#error "fragments.glsl needs AGAA_HAS_BATCHES."
+#if !defined(AGAA_STORAGE_IMAGES) || !defined(AGAA_NEEDS_MATERIAL) || !defined(AGAA_HAS_BATCHES)
+#error "fragments.glsl needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES."
 #endif
 #include "host/fragment_coverage.glsl"
 

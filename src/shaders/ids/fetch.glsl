@@ -1,9 +1,12 @@
-// Fetches materials of primitives by id, through functions of the host. Needs common/frame.glsl, AGAA_HOST_FETCH and
-// AGAA_PRIMITIVE_BITS.
+// Fetches materials of primitives by id, through functions of the host. Needs common/frame.glsl, AGAA_HOST_FETCH,
+// AGAA_PRIMITIVE_BITS and AGAA_CLIP_Z_FROM_MINUS_ONE.
 #ifndef AGAA_FETCH_GLSL
 #define AGAA_FETCH_GLSL
-#if !defined(AGAA_HOST_FETCH) || !defined(AGAA_PRIMITIVE_BITS)
-#error "fetch.glsl needs AGAA_HOST_FETCH and AGAA_PRIMITIVE_BITS."
+#if !defined(AGAA_FRAME_GLSL) || !defined(AGAA_HOST_FETCH)
+#error "fetch.glsl needs frame.glsl and AGAA_HOST_FETCH."
+#endif
+#if !defined(AGAA_PRIMITIVE_BITS) || !defined(AGAA_CLIP_Z_FROM_MINUS_ONE)
+#error "fetch.glsl needs AGAA_PRIMITIVE_BITS and AGAA_CLIP_Z_FROM_MINUS_ONE."
 #endif
 #include "math/barycentrics.glsl"
 #include "common/host_samples.glsl"
