@@ -49,7 +49,7 @@ void appendGlslText(std::string& out, const std::string& text, std::set<std::str
 std::string coverageGlsl() {
     std::string text;
     std::set<std::string> seen;
-    appendGlsl(text, "math/coverage.glsl", seen);
+    appendGlsl(text, "math/alpha_coverage.glsl", seen);
     const std::pair<const char*, const char*> steps[] = {
         {R"(#define (real|rvec[234]|OUT|INOUT|PRECISE)\b[^\n]*\n)", ""},
         {R"(\breal\b)", "float"},

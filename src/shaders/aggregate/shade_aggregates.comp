@@ -10,9 +10,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
-#include "aggregate/aggregate.glsl"
+#include "aggregate/aggregate_lighting.glsl"
 #include "math/encoding.glsl"
-#include "math/records.glsl"
+#include "math/sbaa_records.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "common/tile.glsl"
 

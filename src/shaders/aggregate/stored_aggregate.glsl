@@ -9,7 +9,7 @@
 #include "aggregate/stored_means.glsl"
 #include "math/encoding.glsl"
 #include "math/ndf.glsl"
-#include "math/records.glsl"
+#include "math/sbaa_records.glsl"
 #include "common/stored.glsl"
 
 uint agaa_base = 0u;             // index of the first word of the current aggregate

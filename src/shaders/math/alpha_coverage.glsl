@@ -3,8 +3,8 @@
 //
 // Passes are separate programs and must agree about every sample, so every deciding expression is PRECISE and
 // has an explicit order of operations.
-#ifndef AGAA_MATH_COVERAGE_GLSL
-#define AGAA_MATH_COVERAGE_GLSL
+#ifndef AGAA_MATH_ALPHA_COVERAGE_GLSL
+#define AGAA_MATH_ALPHA_COVERAGE_GLSL
 #include "real.glsl"
 #include "sanitise.glsl"
 
