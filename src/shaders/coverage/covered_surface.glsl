@@ -16,12 +16,13 @@
 #endif
 #include "math/surface_merge.glsl"
 #include "coverage/packed_plane.glsl"
+#include "tables/layouts.inc"
 
 #define AGAA_MASK_WORDS (AGAA_SAMPLES / 32u)
 #define AGAA_DEPTH_WORD AGAA_MASK_WORDS
 #define AGAA_SLOPE_WORD (AGAA_MASK_WORDS + 1u)
 #define AGAA_NORMAL_WORD (AGAA_MASK_WORDS + 2u)
-#define AGAA_SPREAD_WORD (AGAA_MASK_WORDS + 3u)
+#define AGAA_SPREAD_WORD (AGAA_MASK_WORDS + AGAA_PLANE_WORDS)
 #define AGAA_MATERIAL_WORD (AGAA_SPREAD_WORD + AGAA_SPREAD_WORDS)
 
 #ifndef AGAA_IN_TARGETS

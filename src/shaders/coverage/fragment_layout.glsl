@@ -12,15 +12,13 @@
 #if !defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_SAMPLES)
 #error "fragment_layout.glsl needs AGAA_SAMPLES."
 #endif
-#define AGAA_LIST_COUNT 0u   // fragments of this draw, with or without room
-#define AGAA_LIST_BATCH 1u   // number of this draw
-#define AGAA_LIST_BATCHES 2u // draws that are needed, known after the first
-#define AGAA_LIST_PREDICATE 3u // 0: no further draw is needed
-#define AGAA_LIST_HEADS 16u  // index of the first pixel's word
+#include "tables/layouts.inc"
+
 #ifndef AGAA_PAYLOAD_WORDS
 #define AGAA_PAYLOAD_WORDS 0u // of a fragment, written after the draw of the scene
 #endif
-#define AGAA_FRAGMENT_WORDS (2u + AGAA_SAMPLES / 32u + AGAA_PAYLOAD_WORDS)
+#define AGAA_PAYLOAD_AT (AGAA_FRAGMENT_MASK_AT + AGAA_SAMPLES / 32u)
+#define AGAA_FRAGMENT_WORDS (AGAA_FRAGMENT_MASK_AT + AGAA_SAMPLES / 32u + AGAA_PAYLOAD_WORDS)
 
 uint agaa_headOf(uvec2 pixel, uvec2 size) { return AGAA_LIST_HEADS + pixel.y * size.x + pixel.x; }
 

@@ -6,5 +6,6 @@
 #if !defined(AGAA_CONSTANTS_GLSL) && (!defined(AGAA_SPREAD_WORDS) || !defined(AGAA_WORDS))
 #error "material_payload.glsl needs AGAA_SPREAD_WORDS and AGAA_WORDS."
 #endif
-#define AGAA_MATERIAL_PAYLOAD_WORDS (3u + AGAA_SPREAD_WORDS + AGAA_WORDS)
+#include "tables/layouts.inc"
+#define AGAA_MATERIAL_PAYLOAD_WORDS (AGAA_PLANE_WORDS + AGAA_SPREAD_WORDS + AGAA_WORDS)
 #endif

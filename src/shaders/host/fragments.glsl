@@ -64,9 +64,9 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_setFragments(base, id);
     agaa_setFragments(base + 1u, next);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
-        agaa_setFragments(base + 2u + word, mask[word]);
+        agaa_setFragments(base + AGAA_FRAGMENT_MASK_AT + word, mask[word]);
 #if AGAA_NEEDS_MATERIAL
     for (uint word = 0u; word < AGAA_MATERIAL_PAYLOAD_WORDS; ++word)
-        agaa_setFragments(base + 2u + AGAA_SAMPLES / 32u + word, agaa_payload[word]);
+        agaa_setFragments(base + AGAA_FRAGMENT_MASK_AT + AGAA_SAMPLES / 32u + word, agaa_payload[word]);
 #endif
 }
