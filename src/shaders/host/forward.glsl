@@ -11,6 +11,7 @@ void agaa_count(uint counter, uint amount) { agaa_countFragment(counter, amount)
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
 #include "common/lighting.glsl"
 #include "gbuffer/forward_color.glsl"
+#include "math/limits.glsl"
 
 agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
     agaa_Surface surface;
@@ -39,7 +40,7 @@ void agaa_emit(AgaaSurfaceInput s) {
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, s.position);
 #endif
-        vec3 color = min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(65504.0));
+        vec3 color = min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(AGAA_MAX_HALF));
         agaa_out0 = vec4(mayReachFarPlane ? agaa_markFarPlane(color) : color, 1.0);
     }
 #if AGAA_ALPHA_MASKED
