@@ -7,7 +7,7 @@
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
-#include "../../src/shaders/math/coverage.glsl"
+#include "../../src/shaders/math/alpha_coverage.glsl"
 #include "../../src/shaders/math/coverage_pattern.glsl"
 #include "../../src/shaders/math/triangle_coverage.glsl"
 #include "../../src/shaders/math/coverage_table.glsl"

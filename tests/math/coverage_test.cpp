@@ -1,4 +1,4 @@
-// Coverage of alpha-masked surfaces (src/shaders/math/coverage.glsl).
+// Coverage of alpha-masked surfaces (src/shaders/math/alpha_coverage.glsl).
 #include "test_support.h"
 
 using namespace test_math;

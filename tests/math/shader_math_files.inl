@@ -3,7 +3,7 @@
 #undef AGAA_MATH_REAL_GLSL
 #undef AGAA_MATH_SANITISE_GLSL
 #undef AGAA_MATH_ADAPTIVE_GLSL
-#undef AGAA_MATH_COVERAGE_GLSL
+#undef AGAA_MATH_ALPHA_COVERAGE_GLSL
 #undef AGAA_MATH_COVERAGE_PATTERN_GLSL
 #undef AGAA_MATH_TRIANGLE_COVERAGE_GLSL
 #undef AGAA_MATH_COVERAGE_TABLE_GLSL
@@ -21,14 +21,14 @@
 #undef AGAA_MATH_LIGHT_GLSL
 #undef AGAA_MATH_LIGHT_CULLING_GLSL
 #undef AGAA_MATH_CLUSTERING_GLSL
-#undef AGAA_MATH_SURFACES_GLSL
-#undef AGAA_MATH_RECORDS_GLSL
+#undef AGAA_MATH_SBAA_SURFACES_GLSL
+#undef AGAA_MATH_SBAA_RECORDS_GLSL
 #undef AGAA_MATH_SURFACE_MERGE_GLSL
 #undef AGAA_MATH_SURFACE_RESOLVE_GLSL
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
-#include "../../src/shaders/math/coverage.glsl"
+#include "../../src/shaders/math/alpha_coverage.glsl"
 #include "../../src/shaders/math/coverage_pattern.glsl"
 #include "../../src/shaders/math/triangle_coverage.glsl"
 #include "../../src/shaders/math/coverage_table.glsl"
@@ -38,7 +38,7 @@
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
-#include "../../src/shaders/math/records.glsl"
+#include "../../src/shaders/math/sbaa_records.glsl"
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/brdf.glsl"
@@ -51,7 +51,7 @@
 
 struct Clustering {
 #include "../../src/shaders/math/clustering.glsl"
-#include "../../src/shaders/math/surfaces.glsl"
+#include "../../src/shaders/math/sbaa_surfaces.glsl"
 };
 
 struct KeptSurfaces {

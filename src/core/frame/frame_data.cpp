@@ -77,11 +77,14 @@ std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& cons
 #include "shaders/tables/frame.inc"
     const size_t locations = size_t(4) * firstLocation;
     std::memcpy(&out[locations], constants.sampleLocations, (out.size() - locations) * sizeof(float));
-    constexpr size_t halves = offsetof(FrameConstants, ditherFrame) / sizeof(float);
-    out[halves] = float(constants.ditherFrame & 0xFFFF);
-    out[halves + 1] = float(constants.ditherFrame >> 16);
-    out[halves + 2] = float(plan.fragmentCapacity & 0xFFFF);
-    out[halves + 3] = float(plan.fragmentCapacity >> 16);
+    // A float does not hold all 32-bit integers, so these are in halves.
+    const uint32_t ditherFrame = constants.ditherFrame & 0xFFFF;
+    const uint32_t ditherFrameHigh = constants.ditherFrame >> 16;
+    const auto fragmentCapacityLow = uint32_t(plan.fragmentCapacity & 0xFFFF);
+    const auto fragmentCapacityHigh = uint32_t(plan.fragmentCapacity >> 16);
+    writeFloats(&out[offsetof(FrameConstants, ditherFrame) / sizeof(float)], ditherFrame);
+#define AGAA_FRAME_UNIFORM_MEMBER(word, type, name) writeFloats(&out[word], name);
+#include "shaders/tables/frame.inc"
     return out;
 }
 

@@ -30,7 +30,7 @@ std::string aggregateGlsl(const Plan& plan) {
                   plan.view.width, glslNumber(plan.view.layout.emissiveRange()).c_str());
     out += customGlsl(plan.view.layout);
     std::set<std::string> seen;
-    appendGlsl(out, "host/stored_aggregate.glsl", seen);
+    appendGlsl(out, "host/read_aggregate.glsl", seen);
     return out;
 }
 

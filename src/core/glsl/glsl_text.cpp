@@ -49,7 +49,7 @@ void appendGlslText(std::string& out, const std::string& text, std::set<std::str
 std::string coverageGlsl() {
     std::string text;
     std::set<std::string> seen;
-    appendGlsl(text, "math/coverage.glsl", seen);
+    appendGlsl(text, "math/alpha_coverage.glsl", seen);
     const std::pair<const char*, const char*> steps[] = {
         {R"(#define (real|rvec[234]|OUT|INOUT|PRECISE)\b[^\n]*\n)", ""},
         {R"(\breal\b)", "float"},
@@ -81,7 +81,7 @@ static std::string assemble(const Pass& pass, std::set<std::string> seen, const 
 std::string passGlsl(const Pass& pass) { return assemble(pass, {}, "#version 450\n", pass.compute.defines); }
 
 std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion) {
-    std::string head = "#define AGAA_GL 1\n" + pass.compute.defines;
+    std::string head = "#define AGAA_GL 1\n#define AGAA_CONSTANTS_GLSL\n" + pass.compute.defines;
 #define AGAA_CONSTANT(id, name, value) head += format("const uint %s = %uu;\n", #name, pass.constants[id]);
 #include "shaders/tables/constants.inc"
 #undef AGAA_CONSTANT

@@ -266,9 +266,9 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     std::string out = "#ifndef AGAA_ALPHA_MASKED\n#define AGAA_ALPHA_MASKED 0\n#endif\n";
     out += defines(plan, pass, dialect) + bindingDefines(dialect) + outputs(pass, dialect);
     for (const char* path :
-         {"common/frame.glsl", "math/sanitise.glsl", "math/coverage.glsl", "math/encoding.glsl", "math/ndf.glsl",
-          "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "common/stored.glsl", "common/scene_facts.glsl",
-          "host/surface.glsl", "host/counters.glsl", "host/placement.glsl"})
+         {"common/frame.glsl", "math/sanitise.glsl", "math/alpha_coverage.glsl", "math/encoding.glsl", "math/ndf.glsl",
+          "math/depth.glsl", "math/metadata.glsl", "math/sbaa_records.glsl", "common/stored.glsl",
+          "common/scene_facts.glsl", "host/surface.glsl", "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
     if (!pass.draw.text.empty())
         return out + pass.draw.text;
@@ -299,7 +299,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         out += fields(pass.constants);
         appendGlsl(out, "aggregate/packing.glsl", seen);
         appendGlsl(out, "host/far_plane.glsl", seen);
-        appendGlsl(out, "host/aggregate.glsl", seen);
+        appendGlsl(out, "host/accumulate_aggregate.glsl", seen);
         break;
     default:
         fail(AGAA_ERROR_INTERNAL, "a draw pass of unknown kind.");

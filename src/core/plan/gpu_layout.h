@@ -2,6 +2,7 @@
 #pragma once
 
 #include "agaa_sdk.h"
+#include "shaders/tables/layouts.inc"
 
 #include <cstddef>
 #include <cstdint>
@@ -74,9 +75,9 @@ struct CounterBuffer {
     uint32_t counts[counterCount][2]; // by Counter; low word first
     uint32_t invalidPixels;           // found; the first of them follow
     uint32_t padding;
-    uint32_t pixels[AGAA_MAX_INVALID_PIXELS][14]; // AgaaInvalidPixel without its end
+    uint32_t pixels[AGAA_MAX_INVALID_PIXELS][AGAA_INVALID_PIXEL_WORDS]; // AgaaInvalidPixel without its end
 };
-static_assert(sizeof(CounterBuffer) == 4 * (2 * counterCount + 2 + 14 * AGAA_MAX_INVALID_PIXELS));
+static_assert(sizeof(CounterBuffer) == 4 * (2 * counterCount + 2 + AGAA_INVALID_PIXEL_WORDS * AGAA_MAX_INVALID_PIXELS));
 static_assert(offsetof(AgaaInvalidPixel, reserved) == sizeof(CounterBuffer::pixels[0]));
 
 } // namespace agaa

@@ -16,10 +16,12 @@ constexpr SwitchRow switchRows[] = {
 // The index is the Switch.
 #define AGAA_SWITCH(letter, name, macro) {#letter[0], #macro},
 #define AGAA_PASS(...)
+#define AGAA_NEVER(...)
 #define AGAA_HOST_PASS(...)
 #include "shaders/tables/permutations.inc"
 #undef AGAA_SWITCH
 #undef AGAA_PASS
+#undef AGAA_NEVER
 #undef AGAA_HOST_PASS
 };
 
@@ -33,11 +35,13 @@ const std::vector<PassRow>& passRows() {
     using enum Switch;
     static const std::vector<PassRow> rows = {
 #define AGAA_SWITCH(letter, name, macro)
-#define AGAA_PASS(folder, shader, never, ...) {#shader, #folder "/" #shader ".comp", {__VA_ARGS__}},
+#define AGAA_PASS(folder, shader, ...) {#shader, #folder "/" #shader ".comp", {__VA_ARGS__}},
+#define AGAA_NEVER(...)
 #define AGAA_HOST_PASS(folder, shader, ...) {#shader, #folder "/" #shader ".comp", {__VA_ARGS__}},
 #include "shaders/tables/permutations.inc"
 #undef AGAA_SWITCH
 #undef AGAA_PASS
+#undef AGAA_NEVER
 #undef AGAA_HOST_PASS
     };
     return rows;

@@ -10,10 +10,12 @@ namespace agaa {
 enum class Switch : uint32_t {
 #define AGAA_SWITCH(letter, name, macro) name,
 #define AGAA_PASS(...)
+#define AGAA_NEVER(...)
 #define AGAA_HOST_PASS(...)
 #include "shaders/tables/permutations.inc"
 #undef AGAA_SWITCH
 #undef AGAA_PASS
+#undef AGAA_NEVER
 #undef AGAA_HOST_PASS
 };
 

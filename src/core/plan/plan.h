@@ -5,6 +5,7 @@
 #include "agaa_sdk.h"
 #include "core/base/format.h"
 #include "core/view/resolved_view.h"
+#include "shaders/tables/layouts.inc"
 
 #include <algorithm>
 #include <array>
@@ -109,7 +110,7 @@ enum class DispatchKind {
     Items,    // a group for each 64 items, in rows of groupsPerRow: row * groupsPerRow + column is the group
     Indirect, // three words that an earlier pass writes; 0 skips the pass
 };
-inline constexpr uint32_t itemsPerGroup = 64, groupsPerRow = 32768;
+inline constexpr uint32_t itemsPerGroup = AGAA_ITEMS_PER_GROUP, groupsPerRow = AGAA_GROUPS_PER_ROW;
 
 struct Dispatch {
     DispatchKind kind = DispatchKind::Pixels;

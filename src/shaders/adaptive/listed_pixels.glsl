@@ -2,10 +2,11 @@
 #ifndef AGAA_LISTED_PIXELS_GLSL
 #define AGAA_LISTED_PIXELS_GLSL
 #include "adaptive/stored_choice.glsl"
+#include "tables/layouts.inc"
 
-const uint agaa_groupsPerRow = 32768u;
-
-uint agaa_listIndexOf(uint lane) { return (gl_WorkGroupID.y * agaa_groupsPerRow + gl_WorkGroupID.x) * 64u + lane; }
+uint agaa_listIndexOf(uint lane) {
+    return (gl_WorkGroupID.y * AGAA_GROUPS_PER_ROW + gl_WorkGroupID.x) * AGAA_ITEMS_PER_GROUP + lane;
+}
 
 // Returns the pixel whose index is in this word; a pixel outside the image for lanes beyond the end of the list.
 // length   Index of the word with the list's length.

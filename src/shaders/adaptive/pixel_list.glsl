@@ -16,9 +16,9 @@ uint agaa_listPixel(uvec2 pixel, bool isListed, uint list) {
     barrier();
     if (isFirst && agaa_groupListed != 0u) {
         agaa_groupListedAt = atomicAdd(agaa_choices.words[list], agaa_groupListed);
-        uint groups = (agaa_groupListedAt + agaa_groupListed + 63u) / 64u;
-        atomicMax(agaa_choices.words[list + 1u], min(groups, agaa_groupsPerRow));
-        atomicMax(agaa_choices.words[list + 2u], (groups + agaa_groupsPerRow - 1u) / agaa_groupsPerRow);
+        uint groups = (agaa_groupListedAt + agaa_groupListed + (AGAA_ITEMS_PER_GROUP - 1u)) / AGAA_ITEMS_PER_GROUP;
+        atomicMax(agaa_choices.words[list + 1u], min(groups, AGAA_GROUPS_PER_ROW));
+        atomicMax(agaa_choices.words[list + 2u], (groups + AGAA_GROUPS_PER_ROW - 1u) / AGAA_GROUPS_PER_ROW);
         atomicMax(agaa_choices.words[list + 3u], 1u);
     }
     barrier();

@@ -11,7 +11,7 @@ void main() {
     if (gl_LocalInvocationIndex != 0u)
         return;
     uint sum = 0u;
-    for (uint count = 33u; count != 0u; --count) {
+    for (uint count = AGAA_TALLIES; count != 0u; --count) {
         uint pixels = agaa_choices.words[AGAA_TALLY_AT + count - 1u];
         agaa_choices.words[AGAA_TALLY_AT + count - 1u] = sum;
         sum += pixels;

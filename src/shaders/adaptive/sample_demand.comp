@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "adaptive/stored_choice.glsl"
 #include "common/tile_pixels.glsl"
 
-shared uint agaa_groupDifferences[256];
+shared uint agaa_groupDifferences[AGAA_BINS]; // number of samples by bin
 shared uint agaa_groupCovered;
 
 void agaa_countDemand(uvec2 pixel) {

@@ -5,7 +5,7 @@
 #error "sample_features.glsl needs target.glsl and display.glsl."
 #endif
 #include "math/adaptive.glsl"
-#include "adaptive/adaptive_flags.glsl" // before gbuffer.glsl, which needs it
+#include "adaptive/adaptive_flags.glsl"
 #include "gbuffer/gbuffer.glsl"
 #include "common/sample_depth.glsl"
 #include "adaptive/stored_choice.glsl"
@@ -13,7 +13,8 @@
 struct agaa_Features {
     vec3 position, normal; // in shading space
     float width;           // tolerance of distances from its plane
-    vec4 diffuse, specular; // w of diffuse: alpha; w of specular: luma of the emission
+    vec4 diffuseAlpha;     // diffuse colour; w: the lobe's alpha
+    vec4 specularEmission; // specular reflectance; w: luma of the emission
 };
 
 // Returns sample j of the pattern's order, which begins in the middle. A constant holds four samples.
@@ -23,7 +24,7 @@ uint agaa_sampleInOrder(uint j) {
     return words[j >> 2u] >> (8u * (j & 3u)) & 0xFFu;
 }
 
-// materials   The members diffuse and specular of the features.
+// materials   The members diffuseAlpha and specularEmission of the features.
 agaa_Features agaa_featuresAt(uvec2 pixel, uint i, float depth, vec3 normal, mat2x4 materials) {
     vec3 position = agaa_sampleViewPosition(pixel, i, depth);
     float width = agaa_frame.surfaceDistance * agaa_pixelWidth(position.z) +
@@ -56,8 +57,10 @@ agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i, uvec4 words) {
 // Returns the difference of two samples in thresholds: the largest of those of normals, planes and materials. The
 // weight of normals rises with gloss.
 float agaa_differenceOf(agaa_Features a, agaa_Features b) {
-    float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuse.w, b.diffuse.w), 0.01), 1.0, 20.0);
-    vec4 material = max(abs(a.diffuse - b.diffuse), abs(a.specular - b.specular));
+    float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuseAlpha.w, b.diffuseAlpha.w), 0.01),
+                        1.0, 20.0);
+    vec4 material =
+        max(abs(a.diffuseAlpha - b.diffuseAlpha), abs(a.specularEmission - b.specularEmission));
     return max(max(agaa_normalStep(a.normal, b.normal, agaa_frame.surfaceCosine) * gloss,
                    agaa_planeStep(b.position - a.position, a.normal, b.normal, max(a.width, b.width))),
                max(max(material.x, material.y), max(material.z, material.w)) / max(agaa_frame.surfaceMaterial, 1e-3));

@@ -8,8 +8,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "adaptive/first_samples.glsl"
 #include "common/tile_pixels.glsl"
 
-shared uint agaa_groupDemand[256]; // number of samples by bin
-shared uint agaa_groupEvents;      // number of samples by geometry
+shared uint agaa_groupDemand[AGAA_BINS]; // number of samples by bin
+shared uint agaa_groupEvents;            // number of samples by geometry
 
 void main() {
     const uint lane = gl_LocalInvocationIndex;

@@ -11,7 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
-#include "aggregate/aggregate.glsl"
+#include "aggregate/aggregate_lighting.glsl"
 #include "aggregate/samples.glsl"
 #include "aggregate/grouping.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES

@@ -10,7 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "gbuffer/gbuffer.glsl"
 #include "aggregate/sums.glsl"
 #include "math/metadata.glsl"
-#include "math/records.glsl"
+#include "math/sbaa_records.glsl"
 
 #if AGAA_MULTIPLE_AGGREGATES
 layout(AGAA_BINDING_METADATA) uniform usampler2D agaa_metadata;

@@ -3,7 +3,7 @@
 #ifndef AGAA_GROUPING_GLSL
 #define AGAA_GROUPING_GLSL
 #include "aggregate/pixel_samples.glsl"
-#include "math/surfaces.glsl"
+#include "math/sbaa_surfaces.glsl"
 
 // The includer defines this function. It calls agaa_weighNormal() for each of these samples.
 void agaa_weighNormals(uvec2 pixel, uint covered);

@@ -10,8 +10,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/frame.glsl"
 #include "common/target.glsl"
 #include "aggregate/samples.glsl"
-#include "math/records.glsl"
-#include "math/surfaces.glsl"
+#include "math/sbaa_records.glsl"
+#include "math/sbaa_surfaces.glsl"
 
 layout(std430, AGAA_BINDING_AGGREGATES) writeonly buffer agaa_AggregateBlock {
     uint words[];

@@ -10,9 +10,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
-#include "aggregate/aggregate.glsl"
+#include "aggregate/aggregate_lighting.glsl"
 #include "math/encoding.glsl"
-#include "math/records.glsl"
+#include "math/sbaa_records.glsl"
+#include "tables/layouts.inc"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "common/tile.glsl"
 
@@ -24,11 +25,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef AGAA_HOST_GBUFFER
 bool agaa_isVisible(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 #else
-const uint agaa_anyComponent = 4u; // AGAA_COVERAGE_COMPONENT of ids, of which any byte may be 0
-
 bool agaa_isVisible(uvec2 pixel, uint i) {
     vec4 texel = AGAA_FETCH(agaa_normals, pixel, i);
-    return AGAA_COVERAGE_COMPONENT != agaa_anyComponent ? texel[AGAA_COVERAGE_COMPONENT & 3u] > 0.0
+    return AGAA_COVERAGE_COMPONENT != AGAA_ANY_COMPONENT ? texel[AGAA_COVERAGE_COMPONENT & 3u] > 0.0
                                                         : texel != vec4(0.0);
 }
 #endif

@@ -1,14 +1,15 @@
-// Reads aggregates from memory, in passes of the SDK and of hosts. Needs AGAA_AGGREGATE_WORD(i), which reads word i of
-// the buffer, AGAA_IMAGE_WIDTH, AGAA_EMISSIVE_RANGE and AGAA_REPRESENTED.
+// Reads aggregates from memory, in passes of the SDK and of hosts. Needs AGAA_IMAGE_WIDTH, AGAA_EMISSIVE_RANGE,
+// AGAA_REPRESENTED, and AGAA_AGGREGATE_WORD(i), which reads word i of the buffer. Hosts may define the latter as a
+// function, so it is not checked.
 #ifndef AGAA_STORED_AGGREGATE_GLSL
 #define AGAA_STORED_AGGREGATE_GLSL
-#if !defined(AGAA_IMAGE_WIDTH) || !defined(AGAA_REPRESENTED)
-#error "stored_aggregate.glsl needs AGAA_IMAGE_WIDTH and AGAA_REPRESENTED."
+#if !defined(AGAA_IMAGE_WIDTH) || !defined(AGAA_EMISSIVE_RANGE) || !defined(AGAA_REPRESENTED)
+#error "stored_aggregate.glsl needs AGAA_IMAGE_WIDTH, AGAA_EMISSIVE_RANGE and AGAA_REPRESENTED."
 #endif
 #include "aggregate/stored_means.glsl"
 #include "math/encoding.glsl"
 #include "math/ndf.glsl"
-#include "math/records.glsl"
+#include "math/sbaa_records.glsl"
 #include "common/stored.glsl"
 
 uint agaa_base = 0u;             // index of the first word of the current aggregate

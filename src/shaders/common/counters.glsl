@@ -5,6 +5,7 @@
 #error "counters.glsl needs AGAA_COUNTING."
 #endif
 #include "common/api_values.glsl"
+#include "tables/layouts.inc"
 
 #define AGAA_COUNTER(index, name, member) const uint name = index;
 #define AGAA_COUNTER_MAX(index, name, member) const uint name = index;
@@ -20,7 +21,7 @@ layout(std430, AGAA_BINDING_COUNTERS) coherent buffer agaa_CounterBlock {
     uint words[2u * AGAA_COUNTS];
     uint invalidPixelCount; // with uncovered or overlapping samples
     uint padding;
-    uint invalidPixels[AGAA_MAX_INVALID_PIXELS][14]; // x, y, then masks of four words: visible, uncovered, overlapping
+    uint invalidPixels[AGAA_MAX_INVALID_PIXELS][AGAA_INVALID_PIXEL_WORDS];
 } agaa_counterBuffer;
 
 shared uint agaa_groupCounts[AGAA_COUNTS];
@@ -50,9 +51,9 @@ void agaa_reportPixel(uvec2 pixel, uvec4 visible, uvec4 uncovered, uvec4 overlap
     agaa_counterBuffer.invalidPixels[index][0] = pixel.x;
     agaa_counterBuffer.invalidPixels[index][1] = pixel.y;
     for (uint word = 0u; word < 4u; ++word) {
-        agaa_counterBuffer.invalidPixels[index][2u + word] = visible[word];
-        agaa_counterBuffer.invalidPixels[index][6u + word] = uncovered[word];
-        agaa_counterBuffer.invalidPixels[index][10u + word] = overlapping[word];
+        agaa_counterBuffer.invalidPixels[index][AGAA_INVALID_VISIBLE_AT + word] = visible[word];
+        agaa_counterBuffer.invalidPixels[index][AGAA_INVALID_UNCOVERED_AT + word] = uncovered[word];
+        agaa_counterBuffer.invalidPixels[index][AGAA_INVALID_OVERLAPPING_AT + word] = overlapping[word];
     }
 }
 void agaa_reportPixel(uvec2 pixel, uint visible, uint uncovered, uint overlapping) {

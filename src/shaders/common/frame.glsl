@@ -2,9 +2,6 @@
 // texels. Needs AGAA_BINDING_FRAME. With AGAA_GL_CONSTANTS_UNIFORMS it needs AGAA_CONSTANT_VECTORS instead.
 #ifndef AGAA_FRAME_GLSL
 #define AGAA_FRAME_GLSL
-#ifndef AGAA_BINDING_FRAME
-#error "frame.glsl needs AGAA_BINDING_FRAME."
-#endif
 #include "common/api_values.glsl"
 // Values of AGAA_FRAME_CONSTANTS, those of AgaaGlConstants.
 #define AGAA_CONSTANTS_BLOCK 0
@@ -21,6 +18,13 @@ uint agaa_opaque(uint value) { return value + (gl_NumWorkGroups.z - 1u); }
 #define AGAA_FRAMES_LEAVE_OUT 0 // the host's shaders have the facts of the view
 uint agaa_opaque(uint value) { return value; }
 #endif
+#if AGAA_FRAME_CONSTANTS == AGAA_CONSTANTS_UNIFORMS
+#ifndef AGAA_CONSTANT_VECTORS
+#error "frame.glsl needs AGAA_CONSTANT_VECTORS."
+#endif
+#elif !defined(AGAA_BINDING_FRAME)
+#error "frame.glsl needs AGAA_BINDING_FRAME."
+#endif
 
 #if AGAA_FRAME_CONSTANTS == AGAA_CONSTANTS_BLOCK
 layout(std140, AGAA_BINDING_FRAME) uniform agaa_FrameBlock {
@@ -36,6 +40,8 @@ struct agaa_FrameConstants {
 #define AGAA_FRAME_MEMBER(word, type, name) type name;
 #if AGAA_FRAME_CONSTANTS == AGAA_CONSTANTS_TEXELS
 #define AGAA_FRAME_BUFFER_MEMBER(word, type, name) type name;
+#else
+#define AGAA_FRAME_UNIFORM_MEMBER(word, type, name) type name;
 #endif
 #include "tables/frame.inc"
 };
@@ -68,10 +74,12 @@ agaa_FrameConstants agaa_loadFrame() {
 #define AGAA_FRAME_MEMBER(word, type, name) agaa_loadConstant(uint(word), frame.name);
 #if AGAA_FRAME_CONSTANTS == AGAA_CONSTANTS_TEXELS
 #define AGAA_FRAME_BUFFER_MEMBER(word, type, name) agaa_loadConstant(uint(word), frame.name);
+#else
+#define AGAA_FRAME_UNIFORM_MEMBER(word, type, name) agaa_loadConstant(uint(word), frame.name);
 #endif
 #include "tables/frame.inc"
 #if AGAA_FRAME_CONSTANTS == AGAA_CONSTANTS_UNIFORMS
-    frame.ditherFrame |= agaa_constantWords(11u).y << 16u; // a float holds 24 bits
+    frame.ditherFrame |= frame.ditherFrameHigh << 16u;
 #endif
     return frame;
 }
@@ -85,8 +93,7 @@ agaa_FrameConstants agaa_loadFrame() {
 // Returns the number of fragments that the lists have room for.
 uint agaa_fragmentCapacity() {
 #if AGAA_FRAME_CONSTANTS == AGAA_CONSTANTS_UNIFORMS
-    uvec4 halves = agaa_constantWords(11u);
-    return halves.z | halves.w << 16u;
+    return agaa_frame.fragmentCapacityLow | agaa_frame.fragmentCapacityHigh << 16u;
 #else
     return agaa_frame.fragmentCapacity;
 #endif

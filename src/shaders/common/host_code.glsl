@@ -1,6 +1,10 @@
-// Functions of the host that a pass is compiled with, and their types.
+// Functions of the host that a pass is compiled with, and their types. Needs AGAA_HW_SAMPLES, AGAA_SCALE_X and
+// AGAA_SCALE_Y, which common/constants.glsl has.
 #ifndef AGAA_HOST_CODE_GLSL
 #define AGAA_HOST_CODE_GLSL
+#if !defined(AGAA_CONSTANTS_GLSL) && (!defined(AGAA_HW_SAMPLES) || !defined(AGAA_SCALE_X) || !defined(AGAA_SCALE_Y))
+#error "host_code.glsl needs AGAA_HW_SAMPLES, AGAA_SCALE_X and AGAA_SCALE_Y."
+#endif
 // Returns the texel of sample i in a target whose pixels are AGAA_SCALE_X x AGAA_SCALE_Y texels of AGAA_HW_SAMPLES
 // each.
 ivec2 agaaTexel(uvec2 pixel, uint i) {
@@ -35,9 +39,9 @@ struct AgaaPrimitive {
     uint primitive;
     vec4 a, b, c; // clip coordinates of its vertices by AgaaFrame::projection, as agaaHostTriangle() gave them
     vec3 at;      // weights of the vertices at the point, perspective-correct, [0;1]
-    // change of the weights per pixel of the image; in "adaptive" times the square root of the share of the
+    // change of the weights per pixel of the image; in "adaptive" times the square root of the share of the pixel that
+    // the shaded sample represents
     vec3 dx, dy;
-                  // pixel that the shaded sample represents
     float facing; // > 0 if a, b, c turn from x to y of the image, < 0 if they turn the other way
 };
 

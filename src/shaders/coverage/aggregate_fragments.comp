@@ -22,10 +22,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "ids/fetched_means.glsl"
 
 const uint agaa_maxClustered = 32u;
-vec4 agaa_itemGloss[AGAA_MAX_SAMPLES];   // shading normal, alpha2; where AGAA_GLOSS_WEIGHT is set
+struct agaa_Gloss {
+    vec3 normal; // for shading
+    float alpha2;
+};
+agaa_Gloss agaa_itemGloss[AGAA_MAX_SAMPLES]; // where AGAA_GLOSS_WEIGHT is set
 uint agaa_itemFragment[AGAA_MAX_SAMPLES];
 
-#define AGAA_AGGREGATE_OF_FRAGMENT (AGAA_PLANE_WORD + 3u)
+#define AGAA_AGGREGATE_OF_FRAGMENT (AGAA_PAYLOAD_AT + AGAA_KEPT_PLANE_WORDS)
 void agaa_setAggregate(uint record, uint a) { agaa_fragments.words[record + AGAA_AGGREGATE_OF_FRAGMENT] = a; }
 uint agaa_aggregateOf(uint record) { return agaa_fragments.words[record + AGAA_AGGREGATE_OF_FRAGMENT]; }
 
@@ -52,11 +56,11 @@ void agaa_addFragment(inout agaa_PixelSamples samples, uvec2 pixel, uint i, uint
         return;
     AgaaMaterial m = agaa_fetchCovered(p, pixel, middle);
     vec3 n = m.normal + (middle.x + 0.5) * m.normalDx + (middle.y + 0.5) * m.normalDy;
-    agaa_itemGloss[i] = vec4(n * inversesqrt(max(dot(n, n), 1e-6)), m.alpha2);
+    agaa_itemGloss[i] = agaa_Gloss(n * inversesqrt(max(dot(n, n), 1e-6)), m.alpha2);
 }
 
 void agaa_weighItem(uint i) {
-    agaa_weighNormal(i, mat3(agaa_frame.view) * agaa_itemGloss[i].xyz, agaa_itemGloss[i].w);
+    agaa_weighNormal(i, mat3(agaa_frame.view) * agaa_itemGloss[i].normal, agaa_itemGloss[i].alpha2);
 }
 
 void agaa_weighNormals(uvec2 pixel, uint covered) {
@@ -67,10 +71,10 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
 bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) {
     if (AGAA_GLOSS_WEIGHT == 0u)
         return true; // planes are compared only
-    vec3 normal = agaa_itemGloss[findLSB(covered)].xyz;
+    vec3 normal = agaa_itemGloss[findLSB(covered)].normal;
     float least = 1.0;
     for (uint rest = covered; rest != 0u; rest &= rest - 1u)
-        least = min(least, dot(normal, agaa_itemGloss[findLSB(rest)].xyz));
+        least = min(least, dot(normal, agaa_itemGloss[findLSB(rest)].normal));
     return least >= agaa_frame.surfaceCosine;
 }
 

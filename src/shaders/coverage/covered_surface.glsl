@@ -2,17 +2,27 @@
 // pixel in x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), normal (octahedral, 16 bits each), with
 // elliptic lobes the spread of normals (coverage/surface_spread.glsl), then the material (aggregate/packing.glsl). A
 // coverage of 0 means no surface. Depths increase away from the eye; reversed depths are negated. Needs
-// common/frame.glsl.
+// common/frame.glsl, and AGAA_AGGREGATES, AGAA_FAR_DEPTH, AGAA_SPREAD_WORDS and AGAA_STRIDE, which
+// common/constants.glsl has.
 #ifndef AGAA_COVERED_SURFACE_GLSL
 #define AGAA_COVERED_SURFACE_GLSL
+#ifndef AGAA_FRAME_GLSL
+#error "covered_surface.glsl needs frame.glsl."
+#endif
+#ifndef AGAA_CONSTANTS_GLSL
+#if !defined(AGAA_AGGREGATES) || !defined(AGAA_FAR_DEPTH) || !defined(AGAA_SPREAD_WORDS) || !defined(AGAA_STRIDE)
+#error "covered_surface.glsl needs AGAA_AGGREGATES, AGAA_FAR_DEPTH, AGAA_SPREAD_WORDS and AGAA_STRIDE."
+#endif
+#endif
 #include "math/surface_merge.glsl"
 #include "coverage/packed_plane.glsl"
+#include "tables/layouts.inc"
 
 #define AGAA_MASK_WORDS (AGAA_SAMPLES / 32u)
 #define AGAA_DEPTH_WORD AGAA_MASK_WORDS
 #define AGAA_SLOPE_WORD (AGAA_MASK_WORDS + 1u)
 #define AGAA_NORMAL_WORD (AGAA_MASK_WORDS + 2u)
-#define AGAA_SPREAD_WORD (AGAA_MASK_WORDS + 3u)
+#define AGAA_SPREAD_WORD (AGAA_MASK_WORDS + AGAA_PLANE_WORDS)
 #define AGAA_MATERIAL_WORD (AGAA_SPREAD_WORD + AGAA_SPREAD_WORDS)
 
 #ifndef AGAA_IN_TARGETS

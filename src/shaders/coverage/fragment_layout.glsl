@@ -1,5 +1,6 @@
 // Layout of the buffer of fragment lists: counts, the first fragment of each pixel, a word for each tile of 8 by 8
-// pixels if the scene may be drawn again, then the fragments.
+// pixels if the scene may be drawn again, then the fragments. Needs AGAA_SAMPLES, which common/constants.glsl has.
+// Includers that read or write fragments define AGAA_PAYLOAD_WORDS, which is 0 by default.
 //
 // A fragment has the id of its primitive, the next fragment of its pixel, its coverage, and AGAA_PAYLOAD_WORDS further
 // words. Fragments are numbered from 1. The number 0 ends a list.
@@ -8,15 +9,16 @@
 // draw. Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.
 #ifndef AGAA_FRAGMENT_LAYOUT_GLSL
 #define AGAA_FRAGMENT_LAYOUT_GLSL
-#define AGAA_LIST_COUNT 0u   // fragments of this draw, with or without room
-#define AGAA_LIST_BATCH 1u   // number of this draw
-#define AGAA_LIST_BATCHES 2u // draws that are needed, known after the first
-#define AGAA_LIST_PREDICATE 3u // 0: no further draw is needed
-#define AGAA_LIST_HEADS 16u  // index of the first pixel's word
+#if !defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_SAMPLES)
+#error "fragment_layout.glsl needs AGAA_SAMPLES."
+#endif
+#include "tables/layouts.inc"
+
 #ifndef AGAA_PAYLOAD_WORDS
 #define AGAA_PAYLOAD_WORDS 0u // of a fragment, written after the draw of the scene
 #endif
-#define AGAA_FRAGMENT_WORDS (2u + AGAA_SAMPLES / 32u + AGAA_PAYLOAD_WORDS)
+#define AGAA_PAYLOAD_AT (AGAA_FRAGMENT_MASK_AT + AGAA_SAMPLES / 32u)
+#define AGAA_FRAGMENT_WORDS (AGAA_FRAGMENT_MASK_AT + AGAA_SAMPLES / 32u + AGAA_PAYLOAD_WORDS)
 
 uint agaa_headOf(uvec2 pixel, uvec2 size) { return AGAA_LIST_HEADS + pixel.y * size.x + pixel.x; }
 

@@ -18,13 +18,13 @@ uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size
 uvec4 agaa_maskOf(uint record) {
     uvec4 mask = uvec4(0u);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
-        mask[word] = agaa_fragments.words[record + 2u + word];
+        mask[word] = agaa_fragments.words[record + AGAA_FRAGMENT_MASK_AT + word];
     return mask;
 }
 
 void agaa_setMask(uint record, uvec4 mask) {
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
-        agaa_fragments.words[record + 2u + word] = mask[word];
+        agaa_fragments.words[record + AGAA_FRAGMENT_MASK_AT + word] = mask[word];
 }
 
 uint agaa_nextOf(uint record) { return agaa_fragments.words[record + 1u]; }

@@ -1,6 +1,10 @@
-// Conversion of depth planes of triangles to those of surfaces, whose depths increase away from the eye.
+// Conversion of depth planes of triangles to those of surfaces, whose depths increase away from the eye. Needs
+// AGAA_FAR_DEPTH, which common/constants.glsl has.
 #ifndef AGAA_GROWING_DEPTH_GLSL
 #define AGAA_GROWING_DEPTH_GLSL
+#if !defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_FAR_DEPTH)
+#error "growing_depth.glsl needs AGAA_FAR_DEPTH."
+#endif
 #include "math/depth_plane.glsl"
 
 // Returns whether the plane is at the far plane, which is background.

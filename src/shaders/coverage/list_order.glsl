@@ -9,7 +9,7 @@ bool agaa_isBefore(uint record, uint other, uint id) {
     uint firstId = agaa_fragments.words[record];
 #ifdef AGAA_MATERIAL_LISTS
     if (firstId == id) {
-        uint word = 2u;
+        uint word = AGAA_FRAGMENT_MASK_AT;
         while (word + 1u < AGAA_FRAGMENT_WORDS &&
                agaa_fragments.words[record + word] == agaa_fragments.words[other + word])
             ++word;

@@ -9,17 +9,15 @@
 #include "coverage/surface_spread.glsl"
 #include "aggregate/unpacking.glsl"
 
-#define AGAA_PLANE_WORD (2u + AGAA_SAMPLES / 32u)
-
 vec3 agaa_keptPlane(uint record) {
-    uint at = record + AGAA_PLANE_WORD;
+    uint at = record + AGAA_PAYLOAD_AT;
     return vec3(uintBitsToFloat(agaa_fragments.words[at]), agaa_unpackSlopes(agaa_fragments.words[at + 1u]));
 }
 
-vec3 agaa_keptNormal(uint record) { return agaa_unpackNormal(agaa_fragments.words[record + AGAA_PLANE_WORD + 2u]); }
+vec3 agaa_keptNormal(uint record) { return agaa_unpackNormal(agaa_fragments.words[record + AGAA_PAYLOAD_AT + 2u]); }
 
 agaa_NormalSpread agaa_keptSpread(uint record) {
-    uint at = record + AGAA_PLANE_WORD + 3u;
+    uint at = record + AGAA_PAYLOAD_AT + AGAA_PLANE_WORDS;
     vec3 normal = agaa_keptNormal(record);
     return AGAA_SPREAD_WORDS == 0u
                ? agaa_noSpread(normal)
@@ -28,7 +26,7 @@ agaa_NormalSpread agaa_keptSpread(uint record) {
 
 agaa_Stored agaa_keptMaterial(uint record) {
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_packed[w] = agaa_fragments.words[record + AGAA_PLANE_WORD + 3u + AGAA_SPREAD_WORDS + w];
+        agaa_packed[w] = agaa_fragments.words[record + AGAA_PAYLOAD_AT + AGAA_PLANE_WORDS + AGAA_SPREAD_WORDS + w];
     return agaa_unpackSurface();
 }
 #endif

@@ -1,7 +1,11 @@
-// Merges fragments into a pixel's surfaces in memory (DCAA sections 3.2 and 3.3). Needs AGAA_MERGE_RULE and the
-// functions agaa_readSurfaces(word), agaa_setSurfaces(word, value) and agaa_count(counter, amount).
+// Merges fragments into a pixel's surfaces in memory (DCAA sections 3.2 and 3.3). Needs AGAA_MERGE_RULE,
+// which common/constants.glsl has, and the functions agaa_readSurfaces(word), agaa_setSurfaces(word, value) and
+// agaa_count(counter, amount).
 #ifndef AGAA_MERGED_SURFACES_GLSL
 #define AGAA_MERGED_SURFACES_GLSL
+#if !defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_MERGE_RULE)
+#error "merged_surfaces.glsl needs AGAA_MERGE_RULE."
+#endif
 #include "coverage/covered_surface.glsl"
 #include "aggregate/packing.glsl"
 #include "coverage/surface_spread.glsl"

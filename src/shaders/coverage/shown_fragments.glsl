@@ -3,10 +3,8 @@
 #define AGAA_SHOWN_FRAGMENTS_GLSL
 #include "coverage/sorted_list.glsl"
 
-#define AGAA_PLANE_WORD (2u + AGAA_SAMPLES / 32u)
-
 vec3 agaa_keptPlane(uint record) {
-    uint at = record + AGAA_PLANE_WORD;
+    uint at = record + AGAA_PAYLOAD_AT;
     return vec3(uintBitsToFloat(agaa_fragments.words[at]), uintBitsToFloat(agaa_fragments.words[at + 1u]),
                 uintBitsToFloat(agaa_fragments.words[at + 2u]));
 }
@@ -18,8 +16,8 @@ void agaa_keepPlanes(uvec2 pixel, uint head) {
         uint record = agaa_record(fragment);
         agaa_DepthPlane plane = agaa_planeOf(agaa_primitive(agaa_fragments.words[record]), pixel);
         vec3 kept = agaa_growingDepth(plane);
-        for (uint k = 0u; k < 3u; ++k)
-            agaa_fragments.words[record + AGAA_PLANE_WORD + k] = floatBitsToUint(kept[k]);
+        for (uint k = 0u; k < AGAA_KEPT_PLANE_WORDS; ++k)
+            agaa_fragments.words[record + AGAA_PAYLOAD_AT + k] = floatBitsToUint(kept[k]);
         if (agaa_isAtFarDepth(plane))
             agaa_setMask(record, uvec4(0u));
         fragment = agaa_nextOf(record);

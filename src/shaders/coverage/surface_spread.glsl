@@ -1,6 +1,10 @@
-// Packs the spread of a surface's normals, which elliptic lobes use (AGAA_SPREAD_WORDS), in two words.
+// Packs the spread of a surface's normals, which elliptic lobes use, in two words. AGAA_SPREAD_WORDS is then 2, else 0.
+// Needs AGAA_SAMPLES and AGAA_SPREAD_WORDS, which common/constants.glsl has.
 #ifndef AGAA_SURFACE_SPREAD_GLSL
 #define AGAA_SURFACE_SPREAD_GLSL
+#if !defined(AGAA_CONSTANTS_GLSL) && (!defined(AGAA_SAMPLES) || !defined(AGAA_SPREAD_WORDS))
+#error "surface_spread.glsl needs AGAA_SAMPLES and AGAA_SPREAD_WORDS."
+#endif
 #include "math/coverage_pattern.glsl"
 #include "math/normal_spread.glsl"
 #include "coverage/packed_plane.glsl"

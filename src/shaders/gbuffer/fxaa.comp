@@ -116,5 +116,5 @@ void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (all(lessThan(pixel, agaa_frame.size)))
         imageStore(agaa_output, ivec2(pixel),
-                   vec4(min(agaa_filtered(ivec2(pixel)), vec3(65504.0)), 1.0));
+                   vec4(min(agaa_filtered(ivec2(pixel)), vec3(AGAA_MAX_HALF)), 1.0));
 }

@@ -1,6 +1,6 @@
 // Reads samples of a multisampled G-buffer: from attachments by the layout, from the host's G-buffer by a function of
-// the host, or by fetching materials by id. Needs common/target.glsl. To fetch by id it needs
-// adaptive/adaptive_flags.glsl.
+// the host, or by fetching materials by id. Needs common/target.glsl. To fetch by id it needs what ids/fetch.glsl
+// needs.
 #ifndef AGAA_GBUFFER_GLSL
 #define AGAA_GBUFFER_GLSL
 #ifndef AGAA_TARGET_GLSL
@@ -24,6 +24,7 @@ bool agaa_fetchSample(uvec2 pixel, uint i) {
 bool agaa_isCovered(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel, i); }
 #else
+#include "adaptive/adaptive_flags.glsl"
 #include "ids/fetch.glsl"
 #include "ids/sample_ids.glsl"
 

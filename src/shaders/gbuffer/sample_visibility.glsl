@@ -2,7 +2,7 @@
 // AGAA_SHADOWS.
 #ifndef AGAA_SAMPLE_VISIBILITY_GLSL
 #define AGAA_SAMPLE_VISIBILITY_GLSL
-#include "aggregate/choice.glsl"
+#include "aggregate/shadow_taps.glsl"
 #include "common/lighting.glsl"
 #include "common/sample_depth.glsl"
 

@@ -1,4 +1,8 @@
 // The corners of a triangle, which a host's geometry or vertex shader passes to its fragment shader in three locations.
+// Needs AGAA_NEEDS_MATERIAL.
+#ifndef AGAA_NEEDS_MATERIAL
+#error "corners.glsl needs AGAA_NEEDS_MATERIAL."
+#endif
 #ifndef AGAA_CORNER_LOCATION
 #define AGAA_CORNER_LOCATION 13
 #endif

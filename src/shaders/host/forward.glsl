@@ -1,9 +1,17 @@
-// Forward pass: shades a fragment once for all its samples, with the lighting of the deferred passes.
+// Forward pass: shades a fragment once for all its samples, with the lighting of the deferred passes. Needs
+// AGAA_SHADOWS, AGAA_SHADOW_MAPS, AGAA_HAS_SPECULAR, AGAA_EMISSIVE_CHANNELS and AGAA_EMISSIVE_RANGE.
+#if !defined(AGAA_SHADOWS) || !defined(AGAA_SHADOW_MAPS) || !defined(AGAA_HAS_SPECULAR)
+#error "forward.glsl needs AGAA_SHADOWS, AGAA_SHADOW_MAPS and AGAA_HAS_SPECULAR."
+#endif
+#if !defined(AGAA_EMISSIVE_CHANNELS) || !defined(AGAA_EMISSIVE_RANGE)
+#error "forward.glsl needs AGAA_EMISSIVE_CHANNELS and AGAA_EMISSIVE_RANGE."
+#endif
 layout(early_fragment_tests) in; // hidden fragments are neither shaded nor counted
 void agaa_count(uint counter, uint amount) { agaa_countFragment(counter, amount); }
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
 #include "common/lighting.glsl"
 #include "gbuffer/forward_color.glsl"
+#include "math/limits.glsl"
 
 agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
     agaa_Surface surface;
@@ -32,7 +40,7 @@ void agaa_emit(AgaaSurfaceInput s) {
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, s.position);
 #endif
-        vec3 color = min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(65504.0));
+        vec3 color = min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(AGAA_MAX_HALF));
         agaa_out0 = vec4(mayReachFarPlane ? agaa_markFarPlane(color) : color, 1.0);
     }
 #if AGAA_ALPHA_MASKED

@@ -30,10 +30,10 @@ bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask) {
 #if AGAA_SPREAD_WORDS
     vec3 normal = agaa_unpackNormal(agaa_payload[2]);
     uvec2 spread = agaa_packSpread(agaa_spreadOfFragment(normal, s.normalDx, s.normalDy, mask));
-    agaa_payload[3] = spread.x;
-    agaa_payload[4] = spread.y;
+    agaa_payload[AGAA_PLANE_WORDS] = spread.x;
+    agaa_payload[AGAA_PLANE_WORDS + 1u] = spread.y;
 #endif
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_payload[3u + AGAA_SPREAD_WORDS + w] = agaa_packed[w];
+        agaa_payload[AGAA_PLANE_WORDS + AGAA_SPREAD_WORDS + w] = agaa_packed[w];
     return !agaa_isAtFarDepth(plane);
 }

@@ -1,8 +1,8 @@
 // Fragments pass: appends the coverage of each fragment, with the id of its primitive or its material, to the list of
 // its pixel. Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
-#ifndef AGAA_HAS_BATCHES
-#error "fragments.glsl needs AGAA_HAS_BATCHES."
+#if !defined(AGAA_STORAGE_IMAGES) || !defined(AGAA_NEEDS_MATERIAL) || !defined(AGAA_HAS_BATCHES)
+#error "fragments.glsl needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES."
 #endif
 #include "host/fragment_coverage.glsl"
 
@@ -64,9 +64,9 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_setFragments(base, id);
     agaa_setFragments(base + 1u, next);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
-        agaa_setFragments(base + 2u + word, mask[word]);
+        agaa_setFragments(base + AGAA_FRAGMENT_MASK_AT + word, mask[word]);
 #if AGAA_NEEDS_MATERIAL
     for (uint word = 0u; word < AGAA_MATERIAL_PAYLOAD_WORDS; ++word)
-        agaa_setFragments(base + 2u + AGAA_SAMPLES / 32u + word, agaa_payload[word]);
+        agaa_setFragments(base + AGAA_FRAGMENT_MASK_AT + AGAA_SAMPLES / 32u + word, agaa_payload[word]);
 #endif
 }

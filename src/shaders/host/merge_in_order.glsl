@@ -73,11 +73,11 @@ void agaa_mergeInOrder() {
     agaa_CoveredSurface s =
         agaa_asStored(agaa_surfaceOfWords(agaa_covered, agaa_payload[0], agaa_payload[1], agaa_payload[2]));
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_packed[w] = agaa_payload[3u + AGAA_SPREAD_WORDS + w];
+        agaa_packed[w] = agaa_payload[AGAA_PLANE_WORDS + AGAA_SPREAD_WORDS + w];
     agaa_Stored material = agaa_unpackSurface();
     agaa_NormalSpread spread = agaa_noSpread(s.normal);
 #if AGAA_SPREAD_WORDS
-    spread = agaa_unpackSpread(s.normal, uvec2(agaa_payload[3], agaa_payload[4]));
+    spread = agaa_unpackSpread(s.normal, uvec2(agaa_payload[AGAA_PLANE_WORDS], agaa_payload[AGAA_PLANE_WORDS + 1u]));
 #endif
     agaa_loadSurfaces(pixel);
     agaa_Insertion done = agaa_insertFragment(pixel, s, material, spread);

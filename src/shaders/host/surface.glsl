@@ -9,13 +9,12 @@
 // axes, origin at the eye), colours are linear, alpha2 is GGX alpha squared.
 struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
-    // normal of the primitive's plane, on either side. Read in the visibility pass, and in all passes
+    // normal of the primitive's plane, on either side. Read in the visibility pass, and in all passes with
+    // AGAA_FACT_PLANE_NORMALS or AGAA_CONFIG_CHECK_FACTS
     vec3 geometricNormal;
-                          // needed by AGAA_FACT_PLANE_NORMALS or AGAA_CONFIG_CHECK_FACTS
-    // read if AGAA_ALPHA_MASKED is 1. It must be equal in all passes: declare it precise and evaluate
+    // read if AGAA_ALPHA_MASKED is 1. It must be equal in all passes: declare it precise and evaluate it at
+    // AGAA_AT_CENTRE, because AGAA_INSIDE depends on the samples that survive. A non-finite alpha or cutoff counts as 0
     float alpha;
-                          // it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on the samples that survive. A non-finite
-                          // alpha or cutoff counts as 0
     float alphaCutoff;    // > 0: a cut-out, which covers the samples with alpha >= alphaCutoff.
                           // <= 0: a translucent surface, which covers the share alpha of the samples, [0, 1]. A cut-out
                           // at 0 covers all samples and is not alpha-masked

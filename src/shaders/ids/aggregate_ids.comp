@@ -15,7 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "ids/deferred_pixels.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "common/events.glsl"
-#include "aggregate/aggregate.glsl"
+#include "aggregate/aggregate_lighting.glsl"
 #include "ids/primitives.glsl"
 #include "ids/primitive_means.glsl"
 

@@ -1,9 +1,12 @@
-// Fetches materials of primitives by id, through functions of the host. Needs common/frame.glsl, AGAA_HOST_FETCH and
-// AGAA_PRIMITIVE_BITS.
+// Fetches materials of primitives by id, through functions of the host. Needs common/frame.glsl, AGAA_HOST_FETCH,
+// AGAA_PRIMITIVE_BITS and AGAA_CLIP_Z_FROM_MINUS_ONE.
 #ifndef AGAA_FETCH_GLSL
 #define AGAA_FETCH_GLSL
-#if !defined(AGAA_HOST_FETCH) || !defined(AGAA_PRIMITIVE_BITS)
-#error "fetch.glsl needs AGAA_HOST_FETCH and AGAA_PRIMITIVE_BITS."
+#if !defined(AGAA_FRAME_GLSL) || !defined(AGAA_HOST_FETCH)
+#error "fetch.glsl needs frame.glsl and AGAA_HOST_FETCH."
+#endif
+#if !defined(AGAA_PRIMITIVE_BITS) || !defined(AGAA_CLIP_Z_FROM_MINUS_ONE)
+#error "fetch.glsl needs AGAA_PRIMITIVE_BITS and AGAA_CLIP_Z_FROM_MINUS_ONE."
 #endif
 #include "math/barycentrics.glsl"
 #include "common/host_samples.glsl"
@@ -27,17 +30,17 @@ vec3 agaa_vertexViewPosition(vec4 clip) {
     return vec3((clip.xy + agaa_frame.projectionOffset * clip.w) / agaa_frame.projectionScale, -clip.w);
 }
 
-float agaa_largest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+float agaa_largestMagnitude(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
 // Returns the normal of the primitive's plane in view space, facing the eye. Vertices may be behind the eye.
 vec3 agaa_planeNormal(AgaaPrimitive p) {
     vec3 a = agaa_vertexViewPosition(p.a);
     vec3 n = cross(agaa_vertexViewPosition(p.b) - a, agaa_vertexViewPosition(p.c) - a);
-    float size = agaa_largest(n);
+    float size = agaa_largestMagnitude(n);
     if (!agaa_isFinite3(n) || size == 0.0)
         return vec3(0.0, 0.0, 1.0);
     n = normalize(n / size);
-    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(agaa_largest(a), 1e-30));
+    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(agaa_largestMagnitude(a), 1e-30));
     return away > 0.0 ? -n : n;
 }
 
@@ -47,7 +50,7 @@ float agaa_planeNormalError(AgaaPrimitive p) {
     vec3 a = agaa_vertexViewPosition(p.a), b = agaa_vertexViewPosition(p.b), c = agaa_vertexViewPosition(p.c);
     float longest = max(length(b - a), max(length(c - b), length(a - c)));
     float height = length(cross(b - a, c - a)) / max(longest, 1e-30);
-    float rounding = 1e-6 * max(agaa_largest(a), max(agaa_largest(b), agaa_largest(c)));
+    float rounding = 1e-6 * max(agaa_largestMagnitude(a), max(agaa_largestMagnitude(b), agaa_largestMagnitude(c)));
     return height > rounding ? rounding / height : 1.0;
 }
 

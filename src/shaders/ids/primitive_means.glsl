@@ -1,8 +1,8 @@
-// Means over the samples of primitives, which have one material each in a pixel. Needs what aggregate/aggregate.glsl
-// needs.
+// Means over the samples of primitives, which have one material each in a pixel. Needs what
+// aggregate/aggregate_lighting.glsl needs.
 #ifndef AGAA_PRIMITIVE_MEANS_GLSL
 #define AGAA_PRIMITIVE_MEANS_GLSL
-#include "aggregate/aggregate.glsl"
+#include "aggregate/aggregate_lighting.glsl"
 #include "ids/fetched_means.glsl"
 #include "ids/sample_ids.glsl"
 #include "common/pixel_work.glsl"

@@ -1,6 +1,9 @@
 // The primitive ids that the prepass wrote for each sample. Needs AGAA_BINDING_IDS.
 #ifndef AGAA_SAMPLE_IDS_GLSL
 #define AGAA_SAMPLE_IDS_GLSL
+#ifndef AGAA_BINDING_IDS
+#error "sample_ids.glsl needs AGAA_BINDING_IDS."
+#endif
 #include "common/target.glsl"
 #include "ids/id_values.glsl"
 

@@ -1,6 +1,9 @@
-// Converts a fetched material to the channels of a layout. Needs common/frame.glsl.
+// Converts a fetched material to the channels of a layout. Needs common/frame.glsl and common/constants.glsl.
 #ifndef AGAA_STORED_MATERIAL_GLSL
 #define AGAA_STORED_MATERIAL_GLSL
+#if !defined(AGAA_FRAME_GLSL) || !defined(AGAA_CONSTANTS_GLSL)
+#error "stored_material.glsl needs frame.glsl and constants.glsl."
+#endif
 #include "common/host_code.glsl"
 #include "common/stored.glsl"
 

@@ -50,13 +50,15 @@ real agaa_meanOfCounts(real mean, uint count, real memory) {
 
 // Histograms of differences have eight bins per power of two, from 1/16 of a threshold to 2^28 thresholds. The last bin
 // is open.
-uint agaa_bins() { return 256u; } // of both kinds of histogram
+#define AGAA_BINS 256u // of both kinds of histogram
+uint agaa_bins() { return AGAA_BINS; }
 real agaa_leastDifference() { return real(0.0625); }
 
 // Returns the bin of a difference, which must not be below the lowest one.
 uint agaa_differenceBin(real difference) {
     const real bin = floor(real(8.0) * log2(max(difference, agaa_leastDifference()) / agaa_leastDifference()));
-    return uint(bin < real(255.0) ? bin : real(255.0)); // NaN and infinity: the last one
+    const real last = real(AGAA_BINS - 1u);
+    return uint(bin < last ? bin : last); // NaN and infinity: the last one
 }
 
 // Returns the lowest difference of a bin.
@@ -65,7 +67,8 @@ real agaa_differenceOfBin(uint bin) { return agaa_leastDifference() * exp2(real(
 // Returns the bin in a histogram of further samples, which has four bins per sample.
 uint agaa_demandBin(real further) {
     const real bin = floor(real(4.0) * max(further, real(0.0)));
-    return uint(bin < real(255.0) ? bin : real(255.0));
+    const real last = real(AGAA_BINS - 1u);
+    return uint(bin < last ? bin : last);
 }
 
 // Returns the count rounded up to a power of two.

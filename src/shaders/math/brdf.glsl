@@ -1,9 +1,9 @@
 // Reflectance lobes in forms that keep their digits in single precision.
 // Sources: AGAA (Crassin et al., TVCG 2016) sections 3.5.1 and 3.5.2; Walter et al. 2007 (GGX);
 // Heitz 2014, "Understanding the Masking-Shadowing Function" (height-correlated Smith); Schlick
-// 1994; Blinn 1977; Ashikhmin and Shirley 2000; hard cases 8 and 58; the rectified diffuse is item 4
-// of section 3 of the SDK's accuracy measurements (a closed form of the mean of max(n.l, 0) over
-// Toksvig's distribution).
+// 1994; Blinn 1977; Ashikhmin and Shirley 2000; hard cases 8 and 58. The rectified diffuse is of no paper. It
+// approximates the mean of max(n.l, 0) over Toksvig's distribution in closed form; tests/math/functions_test.cpp
+// compares it with means over random normals.
 #ifndef AGAA_MATH_BRDF_GLSL
 #define AGAA_MATH_BRDF_GLSL
 #include "ndf.glsl"

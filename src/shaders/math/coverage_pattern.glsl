@@ -15,12 +15,15 @@
 // are multiples of 1/512, so that float holds them exactly.
 //
 // Shaders with the constants of a frame may have a pattern of the host instead, whose masks come from a table of
-// half-planes (coverage_table.glsl).
+// half-planes (coverage_table.glsl). They need AGAA_TABLE_SIZE, which common/constants.glsl has.
 #ifndef AGAA_MATH_COVERAGE_PATTERN_GLSL
 #define AGAA_MATH_COVERAGE_PATTERN_GLSL
 #include "real.glsl"
 
 #ifdef AGAA_FRAME_GLSL
+#if !defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_TABLE_SIZE)
+#error "coverage_pattern.glsl needs AGAA_TABLE_SIZE."
+#endif
 bool agaa_hasHostPattern() {
     return AGAA_TABLE_SIZE != 0u;
 }

@@ -52,7 +52,7 @@ void buildNative(PlanBuilder& b) {
 
 // One compute pass clusters and shades the fragments that are visible at coverage samples.
 void shadeFromFragments(PlanBuilder& b) {
-    const FragmentLists lists = drawFragments(b, 4); // a depth plane, the aggregate
+    const FragmentLists lists = drawFragments(b, AGAA_KEPT_PLANE_WORDS + 1); // and the aggregate
     Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_fragments", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     lists.bind(b, shade);

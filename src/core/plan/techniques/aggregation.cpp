@@ -6,6 +6,7 @@
 #include "core/base/structs.h"
 #include "core/plan/techniques/gbuffer.h"
 #include "core/plan/techniques/sample_ids.h"
+#include "shaders/tables/layouts.inc"
 
 #include <limits>
 #include <optional>
@@ -69,8 +70,6 @@ void setRecord(Pass& pass, const Aggregation& a) {
 }
 
 namespace {
-
-constexpr uint32_t anyComponent = 4; // of AGAA_COVERAGE_COMPONENT
 
 // claimBytes: bytes per pixel after all aggregates.
 ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a, uint64_t claimBytes = 0) {
@@ -205,7 +204,7 @@ void buildFromIds(PlanBuilder& b, const Aggregation& a) {
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
         b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth);
         b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? ids.prepass.normals : ids.prepass.depth);
-        pass.constants[AGAA_COVERAGE_COMPONENT] = anyComponent;
+        pass.constants[AGAA_COVERAGE_COMPONENT] = AGAA_ANY_COMPONENT;
     });
 }
 

@@ -48,9 +48,8 @@ Aggregation keptSurfaces(const PlanBuilder& b) {
     Aggregation surfaces;
     surfaces.layout = surfaceLayout(b.view().layout);
     surfaces.packing = packMaterial(surfaces.layout);
-    const uint32_t geometryWords = b.view().samples / 32 + 3; // of src/shaders/coverage/covered_surface.glsl
-    surfaces.spreadWords =
-        b.view().config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/coverage/surface_spread.glsl
+    const uint32_t geometryWords = b.view().samples / 32 + AGAA_PLANE_WORDS;
+    surfaces.spreadWords = b.view().config.ndf > AGAA_NDF_TOKSVIG ? AGAA_PACKED_SPREAD_WORDS : 0;
     surfaces.stride = geometryWords + surfaces.spreadWords + surfaces.packing.words;
     return surfaces;
 }
@@ -77,7 +76,7 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
 // Shades the visible part of each fragment. It is the reference for the merge rules.
 void buildExact(PlanBuilder& b) {
     const Aggregation surfaces = keptSurfaces(b);
-    const FragmentLists lists = drawScene(b, surfaces, 3); // the words of a depth plane
+    const FragmentLists lists = drawScene(b, surfaces, AGAA_KEPT_PLANE_WORDS);
     Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING,
                             carriesMaterials(b.view()) ? "shade_carried" : "shade_fragments", AGAA_SEGMENT_SHADING);
     readLists(b, lists, surfaces, shade);

@@ -4,6 +4,7 @@
 #include "core/base/checked.h"
 #include "core/base/error.h"
 #include "core/base/structs.h"
+#include "shaders/tables/layouts.inc"
 
 #include <algorithm>
 #include <optional>
@@ -49,13 +50,12 @@ struct ListSizes {
     uint64_t heads; // words before the fragments
     uint64_t words; // of a fragment
 };
-constexpr uint64_t countWords = 16;
 
 ListSizes listSizes(const PlanBuilder& b) {
     const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
     const uint64_t words = hasBatches(b.view()) ? tiles(b.view().width) * tiles(b.view().height) : 0;
-    return {countWords + uint64_t(b.view().width) * b.view().height + words,
-            2 + b.view().samples / 32 + b.plan.payloadWords};
+    return {AGAA_LIST_HEADS + uint64_t(b.view().width) * b.view().height + words,
+            AGAA_FRAGMENT_MASK_AT + b.view().samples / 32 + b.plan.payloadWords};
 }
 
 ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {

@@ -4,6 +4,7 @@
 
 #include "core/plan/plan_builder.h"
 #include "core/view/technique.h"
+#include "shaders/tables/layouts.inc"
 
 namespace agaa {
 
@@ -20,7 +21,7 @@ Pass& drawTriangles(PlanBuilder& b);
 
 // Returns whether the scene is drawn again if the lists overflow.
 bool hasBatches(const ViewSettings& view);
-inline constexpr uint64_t predicateOffset = 12; // of the predicate of the repetition, in bytes
+inline constexpr uint64_t predicateOffset = 4 * AGAA_LIST_PREDICATE; // of the repetition's predicate, in bytes
 
 // payloadWords: words of a fragment that the draw with materials or a later pass writes.
 FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords);

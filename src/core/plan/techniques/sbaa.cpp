@@ -37,7 +37,7 @@ void build(PlanBuilder& b) {
     if (!fromGBuffer)
         surfaces.layout = twoPassLayout(surfaces.layout, b.view().facts.flags);
     surfaces.packing = packAggregate(surfaces.layout, 1);
-    const uint32_t payloadWords = b.view().samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
+    const uint32_t payloadWords = b.view().samples > 16 ? 2 : 1; // of src/shaders/math/sbaa_records.glsl
     surfaces.stride = surfaces.packing.words + payloadWords;
     surfaces.represented = true;
     surfaces.definitionClears = true;

@@ -5,8 +5,8 @@
 // primitive share its plane.
 //
 // The input is the samples of clustering.glsl, which the includer sets by agaa_setSample().
-#ifndef AGAA_MATH_SURFACES_GLSL
-#define AGAA_MATH_SURFACES_GLSL
+#ifndef AGAA_MATH_SBAA_SURFACES_GLSL
+#define AGAA_MATH_SBAA_SURFACES_GLSL
 #include "clustering.glsl"
 
 uint agaa_surfaceSamples[8]; // result: mask of samples, in descending order of their number before others joined

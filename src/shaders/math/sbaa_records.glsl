@@ -1,8 +1,8 @@
 // The record of a kept surface, after its attributes: the samples that it represents, and the one that is shaded. It
 // has one word if the mask leaves room, otherwise two. A mask of 0 means no surface.
 // Source: SBAA (Salvi and Vidimce, I3D 2012), the two bytes a surface of AGAA section 5.4.
-#ifndef AGAA_MATH_RECORDS_GLSL
-#define AGAA_MATH_RECORDS_GLSL
+#ifndef AGAA_MATH_SBAA_RECORDS_GLSL
+#define AGAA_MATH_SBAA_RECORDS_GLSL
 #include "real.glsl"
 
 uvec2 agaa_storedSurface(uint samples, uint shaded, uint n) {

@@ -1,7 +1,7 @@
 // Generation pass: adds a fragment's attributes to the aggregates of its visible samples, split exactly (AGAA algorithm
 // 2). Sums are integers, so the order of fragments does not matter. Needs the macros of core/glsl/host_glsl.cpp.
 #if !defined(AGAA_WORDS) || !defined(AGAA_STRIDE) || !defined(AGAA_REPRESENTED)
-#error "aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE and AGAA_REPRESENTED."
+#error "accumulate_aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE and AGAA_REPRESENTED."
 #endif
 layout(early_fragment_tests) in;
 #if AGAA_POST_DEPTH_COVERAGE

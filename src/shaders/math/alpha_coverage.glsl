@@ -3,14 +3,15 @@
 //
 // Passes are separate programs and must agree about every sample, so every deciding expression is PRECISE and
 // has an explicit order of operations.
-#ifndef AGAA_MATH_COVERAGE_GLSL
-#define AGAA_MATH_COVERAGE_GLSL
+#ifndef AGAA_MATH_ALPHA_COVERAGE_GLSL
+#define AGAA_MATH_ALPHA_COVERAGE_GLSL
+#include "limits.glsl"
 #include "real.glsl"
 #include "sanitise.glsl"
 
 // Returns 0 for non-finite alpha, so that the gradients of its neighbours in the quad stay small.
 real agaa_sanitiseAlpha(real alpha) {
-    return agaa_isFinite(alpha) ? clamp(alpha, real(-65504.0), real(65504.0)) : real(0.0);
+    return agaa_isFinite(alpha) ? clamp(alpha, real(-AGAA_MAX_HALF), real(AGAA_MAX_HALF)) : real(0.0);
 }
 
 // Cut-outs: inside a texel of the target the edge of a cut-out is nearly straight, so alpha is a simple function of

@@ -1,7 +1,7 @@
-// Chooses some samples of a mask, evenly. A loop over the chosen samples has fewer iterations than a loop over all
-// samples in which lanes skip different ones.
-#ifndef AGAA_CHOICE_GLSL
-#define AGAA_CHOICE_GLSL
+// Chooses the samples of a mask at which shadows are looked up, evenly. A loop over the chosen samples has fewer
+// iterations than a loop over all samples in which lanes skip different ones.
+#ifndef AGAA_SHADOW_TAPS_GLSL
+#define AGAA_SHADOW_TAPS_GLSL
 #include "tables/lighting.inc"
 
 struct agaa_Choice {

@@ -1,11 +1,11 @@
 // Shading of an aggregate, wherever its sums are stored: its position, its shadows, and its means as a surface. Needs
 // common/target.glsl and common/lighting.glsl.
-#ifndef AGAA_AGGREGATE_GLSL
-#define AGAA_AGGREGATE_GLSL
+#ifndef AGAA_AGGREGATE_LIGHTING_GLSL
+#define AGAA_AGGREGATE_LIGHTING_GLSL
 #if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_LIGHTING_GLSL)
-#error "aggregate.glsl needs target.glsl and lighting.glsl."
+#error "aggregate_lighting.glsl needs target.glsl and lighting.glsl."
 #endif
-#include "aggregate/choice.glsl"
+#include "aggregate/shadow_taps.glsl"
 #include "aggregate/mean_surface.glsl"
 #include "common/debug_view.glsl"
 #include "common/sample_depth.glsl"

@@ -1,0 +1,7 @@
+// Limits of number formats.
+#ifndef AGAA_MATH_LIMITS_GLSL
+#define AGAA_MATH_LIMITS_GLSL
+
+#define AGAA_MAX_HALF 65504.0 // the largest finite value of 16 bits
+
+#endif
