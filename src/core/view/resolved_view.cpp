@@ -2,6 +2,7 @@
 
 #include "core/base/checked.h"
 #include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/view/tiers.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const 
             fail(AGAA_ERROR_UNSUPPORTED,
                  format("visibility cannot run: coverage samples of \"%s\" are found by edges, so that "
                         "the tier %s is not for them.",
-                        technique.name, agaaTierName(forced)));
+                        technique.name, tierName(forced)));
         if (!view.coveragePositions.empty())
             view.samplePositions = view.coveragePositions;
         view.notes.push_back("visibility: " + coverageByEdges(view.samples).reason);

@@ -2,6 +2,7 @@
 
 #include "core/base/arguments.h"
 #include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/view/technique.h"
 #include "core/view/view_settings.h"
 
@@ -62,7 +63,7 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
             return choice;
     }
     if (isGridOnly) {
-        choice.reason = format("the tier %s has no %u samples per pixel.", agaaTierName(forced), samples);
+        choice.reason = format("the tier %s has no %u samples per pixel.", tierName(forced), samples);
         return choice;
     }
     if (forced == AGAA_TIER_NATIVE || forced == AGAA_TIER_AUTO) {
@@ -78,7 +79,7 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
     }
     if (forced == AGAA_TIER_SCALED_TARGET || forced == AGAA_TIER_AUTO)
         return scaledTarget(caps, samples);
-    choice.reason = format("the tier %s is not built for visibility.", agaaTierName(forced));
+    choice.reason = format("the tier %s is not built for visibility.", tierName(forced));
     return choice;
 }
 
@@ -116,8 +117,8 @@ GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery qu
     }
     if (choice.reason.empty()) { // the technique lacks the tier
         const std::string names = owners(forced);
-        choice.reason = names.empty() ? format("the tier %s is not built for generation.", agaaTierName(forced))
-                                      : format("the tier %s is for %s.", agaaTierName(forced), names.c_str());
+        choice.reason = names.empty() ? format("the tier %s is not built for generation.", tierName(forced))
+                                      : format("the tier %s is for %s.", tierName(forced), names.c_str());
     }
     return choice;
 }

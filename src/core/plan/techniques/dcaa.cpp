@@ -2,6 +2,7 @@
 // et al., "Decoupled Coverage Anti-Aliasing", I3D 2016).
 #include "core/base/checked.h"
 #include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/plan/techniques/aggregation.h"
 #include "core/plan/techniques/fragment_lists.h"
 #include "core/plan/techniques/generation_tiers.h"
@@ -41,7 +42,7 @@ void resolve(ResolvedView& view) {
     if (mergesInOrder(view))
         fail(AGAA_ERROR_UNSUPPORTED,
              format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
-                    agaaTierName(view.generationTier)));
+                    tierName(view.generationTier)));
 }
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
