@@ -1,6 +1,7 @@
 // The OpenGL part of the C ABI.
 #include "core/abi/backend_api.h"
 #include "core/base/error.h"
+#include "core/plan/planner.h"
 #include "gl/bindings.h"
 #include "gl/view.h"
 
@@ -89,7 +90,7 @@ AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* d
     return guarded(logOf(context), "agaaGlCreateView", [&]() -> AgaaResult {
         requireBackend(context, Backend::OpenGL);
         require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
-        const ViewSettings settings = resolveView(desc);
+        const ViewSettings settings = resolveView(desc, techniques());
         *outView = createView<gl::View>(static_cast<gl::Context&>(*context), settings, settings);
         return AGAA_OK;
     });

@@ -68,7 +68,7 @@ template <typename Visit> void forEveryHostPass(const Visit& visit) {
                 for (uint32_t aggregates : {1u, 2u, 3u, 4u})
                     for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE})
                         for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS, routed}) {
-                            const bool aggregating = findTechnique(technique)->maxAggregates != 0;
+                            const bool aggregating = findTechnique(techniques(), technique)->maxAggregates != 0;
                             if (!aggregating && (aggregates > 1 || tier))
                                 continue;
                             ViewSpec spec;
@@ -99,8 +99,8 @@ TEST_P(HostDialects, CompilesForEveryPlan) {
             return;
         const bool masked = ++compiled & 1;
         const std::string text = hostShader(plan, pass, GetParam(), masked);
-        ASSERT_EQ(compileErrors(text, GetParam()), "")
-            << plan.view.technique << " n=" << plan.view.samples << " c=" << plan.view.aggregates << " " << pass.name;
+        ASSERT_EQ(compileErrors(text, GetParam()), "") << plan.view.technique->name << " n=" << plan.view.samples
+                                                       << " c=" << plan.view.aggregates << " " << pass.name;
         if (GetParam().hostOutputs) {
             ASSERT_EQ(text.find(") out vec4"), std::string::npos);
         }

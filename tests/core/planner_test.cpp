@@ -52,7 +52,8 @@ TEST(Planner, TiersRefuseNumbersOfSamplesThatNoTargetHas) {
             expectRefused(samples, [&] { chooseVisibility(idealDevice(), samples, tier); });
             expectRefused(samples, [&] {
                 const AgaaDeviceCaps caps = idealDevice();
-                chooseGeneration(*findTechnique("agaa"), {.caps = caps, .hwSamples = samples}, AGAA_TIER_AUTO);
+                chooseGeneration(techniques(), *findTechnique(techniques(), "agaa"),
+                                 {.caps = caps, .hwSamples = samples}, AGAA_TIER_AUTO);
             });
         }
 }
@@ -81,7 +82,8 @@ TEST(Planner, APlanHasNoMorePassesThanStatisticsHold) {
     view.config = &config;
     view.facts = &facts;
     const auto build = [&](size_t passes) {
-        PlanBuilder builder(resolveForDevice(resolveView(&view), idealDevice()), idealDevice(), 2);
+        PlanBuilder builder(resolveForDevice(resolveView(&view, techniques()), idealDevice(), techniques()),
+                            idealDevice(), 2);
         const ResourceId buffer = builder.pixelBuffer("words", 4);
         while (builder.plan.passes.size() < passes)
             builder.fill("clear", AGAA_STAGE_OTHER, buffer, AGAA_SEGMENT_SHADING);
@@ -292,7 +294,7 @@ TEST(Planner, FactsThatATechniqueCannotShowAreRefused) {
                 EXPECT_THROW(planFor(spec, idealDevice()), Error);
             }
         }
-    EXPECT_FALSE(findTechnique("msaa")->facts & AGAA_FACT_CUSTOM_DEPTH);
+    EXPECT_FALSE(findTechnique(techniques(), "msaa")->facts & AGAA_FACT_CUSTOM_DEPTH);
 }
 
 TEST(Planner, AggregatesThatNoBufferHoldsAreNotKept) {

@@ -23,7 +23,7 @@ Plan planOf(const std::function<void(const Group&)>& change = {}, bool writes = 
     view.width = view.height = 64;
     view.config = &config;
     view.facts = &facts;
-    PlanBuilder b(resolveForDevice(resolveView(&view), idealDevice()), idealDevice(), 2);
+    PlanBuilder b(resolveForDevice(resolveView(&view, techniques()), idealDevice(), techniques()), idealDevice(), 2);
     const ResourceId words = b.pixelBuffer("words", 4);
     b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
     const auto first = uint32_t(b.plan.passes.size());

@@ -173,7 +173,7 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
 std::string planToJson(const Plan& plan) {
     Writer w;
     w.open('{');
-    w.field("technique", plan.view.technique);
+    w.field("technique", plan.view.technique->name);
     w.field("width", plan.view.width);
     w.field("height", plan.view.height);
     w.field("samples", plan.view.samples);

@@ -141,7 +141,7 @@ uint64_t shadowTaps(const Technique& technique, const Plan& plan, uint32_t sampl
 }
 
 AgaaPrice priceOf(const Plan& plan) {
-    const Technique& technique = *findTechnique(plan.view.technique);
+    const Technique& technique = *plan.view.technique;
     const ShadingWork work = technique.work(plan.view);
     AgaaPrice price = AGAA_PRICE_INIT;
     price.passes = checkedSigned(plan.passes.size());
@@ -223,7 +223,7 @@ std::vector<uint32_t> aggregateCounts(const Technique& technique, const ViewSett
 void changeSamples(ViewSettings& view, uint32_t samples) {
     require(view.samplePositions.empty() || samples == view.samples, AGAA_ERROR_UNSUPPORTED,
             "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
-    const bool countsCoverage = findTechnique(view.technique)->countsCoverage(view.config.generationTier, samples);
+    const bool countsCoverage = view.technique->countsCoverage(view.config.generationTier, samples);
     require(view.coveragePositions.empty() || samples == view.samples || !countsCoverage, AGAA_ERROR_UNSUPPORTED,
             "AgaaDecoupledCoverage::samplePositions has the positions of the described samples alone.");
     if (!countsCoverage)
@@ -265,7 +265,7 @@ void addSteps(std::vector<AgaaPrice>& list, const Comparison& comparison, const 
 
 std::vector<AgaaPrice> listPrices(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
     const Comparison comparison(view, caps, framesInFlight);
-    const Technique& technique = *findTechnique(view.technique);
+    const Technique& technique = *view.technique;
     std::vector<AgaaPrice> list = {
         named(comparison.view(), {AGAA_PRICE_VIEW, "view", "The numbers are those of the described view."}, true)};
     for (const Effect& effect : effects())
