@@ -1,8 +1,10 @@
 // The OpenGL part of the C ABI.
 #include "core/abi/backend_api.h"
+#include "core/abi/init.h"
 #include "core/base/error.h"
 #include "core/plan/planner.h"
 #include "gl/bindings.h"
+#include "gl/structs.h"
 #include "gl/view.h"
 
 #include <cstring>
@@ -50,6 +52,9 @@ void checkDevice(const AgaaGlDeviceDesc& desc) {
 } // namespace
 
 extern "C" {
+
+#define AGAA_GL_STRUCT AGAA_INIT_FUNCTION
+#include "core/base/structs.inc"
 
 AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc, AgaaContext* outContext) {
     return guarded(logOfDesc(desc), "agaaGlCreateContext", [&]() -> AgaaResult {

@@ -1,7 +1,9 @@
 // The Vulkan part of the C ABI.
 #include "core/abi/backend_api.h"
+#include "core/abi/init.h"
 #include "core/base/error.h"
 #include "core/plan/planner.h"
+#include "vk/structs.h"
 #include "vk/view.h"
 
 using namespace agaa;
@@ -23,6 +25,9 @@ void checkDevice(const AgaaVkDeviceDesc& desc) {
 } // namespace
 
 extern "C" {
+
+#define AGAA_VK_STRUCT AGAA_INIT_FUNCTION
+#include "core/base/structs.inc"
 
 AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc, AgaaContext* outContext) {
     return guarded(logOfDesc(desc), "agaaVkCreateContext", [&]() -> AgaaResult {
