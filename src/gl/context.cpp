@@ -1,7 +1,6 @@
 #include "gl/context.h"
 
 #include "core/base/error.h"
-
 #include "gl/bindings.h"
 #include "gl/timer_probe.h"
 

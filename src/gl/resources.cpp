@@ -1,7 +1,6 @@
 #include "gl/resources.h"
 
 #include "core/base/error.h"
-
 #include "gl/formats.h"
 
 namespace agaa::gl {

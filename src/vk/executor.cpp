@@ -1,8 +1,7 @@
 // Records a frame: checks it, calls the draw callbacks, then records the passes and the barriers between them.
-#include "vk/view.h"
-
 #include "core/base/error.h"
 #include "core/frame/frame_checks.h"
+#include "vk/view.h"
 
 #include <new>
 

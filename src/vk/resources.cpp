@@ -1,11 +1,10 @@
 #include "vk/resources.h"
 
-#include "core/plan/arena.h"
 #include "core/base/callbacks.h"
+#include "core/base/checked.h"
 #include "core/base/error.h"
 #include "core/plan/access.h"
-
-#include "core/base/checked.h"
+#include "core/plan/arena.h"
 #include "vk/formats.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #include "vk/view.h"
 
-#include "core/base/error.h"
-#include "core/plan/bindings.h"
-#include "core/glsl/compile_glsl.h"
 #include "core/base/embedded.h"
+#include "core/base/error.h"
+#include "core/glsl/compile_glsl.h"
 #include "core/glsl/glsl_text.h"
+#include "core/plan/bindings.h"
 #include "core/plan/planner.h"
 
 #include <algorithm>

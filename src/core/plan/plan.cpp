@@ -1,8 +1,8 @@
 #include "core/plan/plan.h"
 
-#include "core/plan/arena.h"
 #include "core/base/checked.h"
 #include "core/base/error.h"
+#include "core/plan/arena.h"
 
 #include <algorithm>
 
