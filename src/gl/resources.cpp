@@ -10,7 +10,7 @@ namespace agaa::gl {
 static GLenum texelsOfDraws(const Context& context, const Plan& plan, ResourceId id) {
     for (const Pass& pass : plan.passes)
         for (const Binding& binding : pass.bindings) {
-            if (pass.kind != PassKind::HostDraw || binding.resource != id)
+            if (pass.kind() != PassKind::HostDraw || binding.resource != id)
                 continue;
             if (binding.type == BindingType::StorageBuffer && context.dialect.storageImages)
                 return GL_R32UI;

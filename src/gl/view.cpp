@@ -64,7 +64,7 @@ void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
 void View::createFramebuffers() {
     framebuffers.resize(plan.passes.size());
     for (size_t i = 0; i < plan.passes.size(); ++i)
-        if (plan.passes[i].kind == PassKind::HostDraw)
+        if (plan.passes[i].kind() == PassKind::HostDraw)
             createFramebuffer(i);
 }
 
@@ -83,13 +83,13 @@ void View::createFramebuffer(size_t index) {
         else
             gl.NamedFramebufferTexture(framebuffer, buffers.back(), texture, 0);
     }
-    if (pass.draw.depthTarget != noResource)
-        gl.NamedFramebufferTexture(framebuffer, depthAttachment(plan.resources[pass.draw.depthTarget].format),
-                                   (*resources)[pass.draw.depthTarget].texture, 0);
-    if (pass.draw.depthTarget == noResource && buffers.empty()) {
-        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.draw.width));
-        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.draw.height));
-        const uint32_t samples = pass.draw.state.samples;
+    if (pass.draw().depthTarget != noResource)
+        gl.NamedFramebufferTexture(framebuffer, depthAttachment(plan.resources[pass.draw().depthTarget].format),
+                                   (*resources)[pass.draw().depthTarget].texture, 0);
+    if (pass.draw().depthTarget == noResource && buffers.empty()) {
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.draw().width));
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.draw().height));
+        const uint32_t samples = pass.draw().state.samples;
         gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples > 1 ? GLint(samples) : 0);
         gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_FIXED_SAMPLE_LOCATIONS, GL_TRUE);
     }
@@ -112,7 +112,7 @@ SamplePositions View::readPositions() const {
     if (plan.view.hwSamples == 1)
         return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
     const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(),
-                                   [](const Pass& pass) { return pass.kind == PassKind::HostDraw; });
+                                   [](const Pass& pass) { return pass.kind() == PassKind::HostDraw; });
     GLuint framebuffer = 0, texture = 0; // the texture exists only if the plan has no host pass
     if (draw != plan.passes.end()) {
         framebuffer = framebuffers[size_t(draw - plan.passes.begin())];

@@ -83,7 +83,7 @@ template <typename Visit> void forEveryHostPass(const Visit& visit) {
                             };
                             const Plan plan = planFor(spec, fourSampleDevice());
                             for (const Pass& pass : plan.passes)
-                                if (pass.kind == PassKind::HostDraw)
+                                if (pass.kind() == PassKind::HostDraw)
                                     visit(plan, pass);
                         }
 }
@@ -116,7 +116,7 @@ TEST(HostGlslCorners, HaveALocationInEveryVersion) {
         spec.viewFlags = isPulled ? AGAA_VIEW_VERTEX_PULLING : 0;
         const Plan plan = planFor(spec, idealDevice());
         const Pass& pass =
-            *std::ranges::find_if(plan.passes, [](const Pass& p) { return p.kind == PassKind::HostDraw; });
+            *std::ranges::find_if(plan.passes, [](const Pass& p) { return p.kind() == PassKind::HostDraw; });
         for (const uint32_t version : {330u, 400u, 410u, 430u, 460u}) {
             HostDialect dialect;
             dialect.openGl = true;
@@ -182,7 +182,7 @@ TEST(HostGlslForward, WithoutStorageBlocksLightsAreBounded) {
         HostDialect dialect;
         dialect.openGl = dialect.storageImages = true;
         for (const Pass& pass : plan.passes) {
-            if (pass.kind != PassKind::HostDraw || pass.draw.id != AGAA_DRAW_PASS_FORWARD)
+            if (pass.kind() != PassKind::HostDraw || pass.draw().id != AGAA_DRAW_PASS_FORWARD)
                 continue;
             if (lights > 231) {
                 EXPECT_THROW(hostDeclarations(plan, pass, dialect), Error);
@@ -223,7 +223,7 @@ TEST_F(HostGlsl, WithoutBlocksNoneIsDeclared) {
                         dialect.constants = constants;
                         const Plan plan = planFor(spec, fourSampleDevice());
                         for (const Pass& pass : plan.passes) {
-                            if (pass.kind != PassKind::HostDraw)
+                            if (pass.kind() != PassKind::HostDraw)
                                 continue;
                             const std::string text = hostShader(plan, pass, dialect, false);
                             EXPECT_EQ(compileErrors(text, dialect), "") << technique << ' ' << samples;
@@ -246,7 +246,7 @@ TEST_F(HostGlsl, WithoutBlocksNoneIsDeclared) {
     EXPECT_THROW(
         {
             for (const Pass& pass : plan.passes)
-                if (pass.kind == PassKind::HostDraw)
+                if (pass.kind() == PassKind::HostDraw)
                     hostDeclarations(plan, pass, dialect);
         },
         Error);

@@ -65,8 +65,8 @@ TEST(Repeats, GroupsThatEndHoldWhatCanBeSkipped) {
     const auto draw = [](bool clears) {
         return [clears](const Group& group) {
             Pass& pass = group.builder.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
-            pass.draw.colorTargets = {group.builder.image("color", Format::RGBA8, false)};
-            pass.draw.clearsColor = clears;
+            pass.draw().colorTargets = {group.builder.image("color", Format::RGBA8, false)};
+            pass.draw().clearsColor = clears;
         };
     };
     EXPECT_EQ(planOf(draw(false)).passes.size(), 4u);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace agaa {
@@ -101,6 +102,7 @@ struct Binding {
 // The largest number of attachments of a draw with AgaaDrawState::readsAttachments.
 inline constexpr uint32_t maxFetchedTargets = 8;
 
+// The values are the indices of the parts in Pass::part.
 enum class PassKind { HostDraw, Compute, Fill, Copy };
 
 // The number of workgroups of a compute pass.
@@ -183,18 +185,23 @@ struct CopyPart {
     ResourceId destination = noResource;
 };
 
-// `kind` says which of the four parts is used; the others have their defaults.
 struct Pass {
     std::string name;
     AgaaStage stage = AGAA_STAGE_OTHER;
-    PassKind kind = PassKind::Compute;
     uint64_t segment = AGAA_SEGMENT_SHADING;
     std::vector<Binding> bindings;
     Constants constants{}; // of compute shaders; the host's shaders get some of them as macros
-    DrawPart draw;
-    ComputePart compute;
-    FillPart fill;
-    CopyPart copy;
+    std::variant<DrawPart, ComputePart, FillPart, CopyPart> part = ComputePart{};
+
+    PassKind kind() const { return PassKind(part.index()); }
+    // The part of a pass of that kind. The functions throw std::bad_variant_access for other kinds.
+    DrawPart& draw() { return std::get<DrawPart>(part); }
+    const DrawPart& draw() const { return std::get<DrawPart>(part); }
+    ComputePart& compute() { return std::get<ComputePart>(part); }
+    const ComputePart& compute() const { return std::get<ComputePart>(part); }
+    FillPart& fill() { return std::get<FillPart>(part); }
+    const FillPart& fill() const { return std::get<FillPart>(part); }
+    const CopyPart& copy() const { return std::get<CopyPart>(part); }
 };
 
 // A range of passes that is repeated. Indirect passes dispatch no groups in iterations without work, which ends a

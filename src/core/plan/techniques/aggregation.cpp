@@ -38,13 +38,13 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format forma
     const Prepass s{b.depth(stencil), b.image(name, format, true)};
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY, AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
-    prepass.draw.sampleContent = content;
-    prepass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    prepass.draw.state.depthWrite = 1;
-    prepass.draw.state.colorAttachmentCount = 1;
-    prepass.draw.colorTargets = {s.normals};
-    prepass.draw.depthTarget = s.depth;
-    prepass.draw.clearsColor = prepass.draw.clearsDepth = true;
+    prepass.draw().sampleContent = content;
+    prepass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.draw().state.depthWrite = 1;
+    prepass.draw().state.colorAttachmentCount = 1;
+    prepass.draw().colorTargets = {s.normals};
+    prepass.draw().depthTarget = s.depth;
+    prepass.draw().clearsColor = prepass.draw().clearsDepth = true;
     return s;
 }
 
@@ -89,13 +89,13 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     Pass& pass =
         b.hostDraw("generate aggregates", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_GENERATION);
     b.bindCommon(pass);
-    pass.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
-    pass.draw.state.stencilTest = stencil;
+    pass.draw().state.depthCompare = AGAA_COMPARE_EQUAL;
+    pass.draw().state.stencilTest = stencil;
     // A masked fragment may pass the depth and stencil tests at a sample that its mask excludes. If it wrote the
     // stencil, the coplanar fragment that owns the sample would be rejected.
-    pass.draw.state.stencilTestMasked = 0;
-    pass.draw.state.sampleShading = perSample;
-    pass.draw.depthTarget = prepass.depth;
+    pass.draw().state.stencilTestMasked = 0;
+    pass.draw().state.sampleShading = perSample;
+    pass.draw().depthTarget = prepass.depth;
     if (metadata != noResource)
         b.bind(pass, host_slot::Metadata, BindingType::Texture, metadata);
     // Fragments at the far plane equal the cleared depth, although the prepass does not show them. The normals
@@ -104,7 +104,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
         b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.normals);
     b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.view().hwSamples > 1)
-        pass.draw.extensions.push_back("ARB_post_depth_coverage");
+        pass.draw().extensions.push_back("ARB_post_depth_coverage");
     setRecord(pass, a);
 }
 
@@ -114,7 +114,7 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
     b.cullLights(bindDepth);
     Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
                             {{Switch::Represented, a.represented}});
-    shade.compute.shadesAggregates = true;
+    shade.compute().shadesAggregates = true;
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
