@@ -103,14 +103,10 @@ void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuRe
     }
 }
 
-GLuint ViewResources::buffer(ResourceId id, uint32_t slot) const {
-    const auto& buffers = resources_[id].buffers;
-    return buffers[buffers.size() > 1 ? slot : 0];
-}
+GLuint ViewResources::buffer(ResourceId id, uint32_t slot) const { return copyOfSlot(resources_[id].buffers, slot); }
 
 GLuint ViewResources::bufferImage(ResourceId id, uint32_t slot) const {
-    const auto& images = resources_[id].bufferImages;
-    return images[images.size() > 1 ? slot : 0];
+    return copyOfSlot(resources_[id].bufferImages, slot);
 }
 
 } // namespace agaa::gl

@@ -18,8 +18,8 @@ View::View(Context& owner, Plan framePlan)
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
     try {
         resources.emplace(context, plan);
-        createFramebuffers();
         hostPasses = makeHostPasses(plan, context.dialect);
+        createFramebuffers();
         addVariant(plan);
         positions = readPositions();
         if (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS)
@@ -75,7 +75,7 @@ void View::createFramebuffer(size_t index) {
     const GLuint framebuffer = framebuffers[index];
     context.label(GL_FRAMEBUFFER, framebuffer, "agaa " + pass.name);
     std::vector<GLenum> buffers;
-    for (const ColorAttachment& color : colorAttachments(plan, pass)) {
+    for (const ColorAttachment& color : hostPasses[index].colors) {
         buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + buffers.size()));
         const GLuint texture = (*resources)[color.resource].texture;
         if (plan.resources[color.resource].layers > 1)

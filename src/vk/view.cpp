@@ -16,9 +16,7 @@ View::View(Context& device, const ViewSettings& settings)
     : View(device, makePlan(settings, device.caps, device.framesInFlight)) {}
 
 View::View(Context& device, Plan framePlan) : ViewState(device, std::move(framePlan)), context(device) {
-    positions = plan.view.samplePositions.empty()
-                    ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
-                    : samplePositions(plan.view.samplePositions);
+    positions = samplePositions(plan.view);
     try {
         resources.emplace(context, plan);
         hostPasses = makeHostPasses(plan, context.dialect);

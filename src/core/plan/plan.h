@@ -79,6 +79,11 @@ struct Resource {
     bool operator==(const Resource&) const = default;
 };
 
+// Returns the element for the frame in this slot. copies: one for each frame in flight, or one that all frames share.
+template <class Copy> Copy copyOfSlot(const std::vector<Copy>& copies, uint32_t slot) {
+    return copies[copies.size() > 1 ? slot : 0];
+}
+
 enum class BindingType {
     UniformBuffer,
     StorageBuffer,
