@@ -19,13 +19,15 @@ void checkBindings(const AgaaGlDeviceDesc& desc) {
     HostDialect dialect;
     dialect.storageImages = desc.storage == AGAA_GL_STORAGE_IMAGES;
     dialect.constants = AgaaGlConstants(desc.constants);
-    const auto kind = [&](const BindingRow& row) {
-        const auto own = gl::hostKind(row, dialect);
-        return own == BindingKind::WrittenStorage ? BindingKind::Storage : own;
+    // Both kinds of storage buffers share the binding points.
+    const auto pointsOf = [&](const BindingRow& row) {
+        const auto kind = gl::hostKind(row, dialect);
+        return kind == BindingKind::WrittenStorage ? BindingKind::Storage : kind;
     };
     for (const BindingRow& a : hostBindingTable)
         for (const BindingRow& b : hostBindingTable)
-            if (a.slot < b.slot && kind(a) && kind(a) == kind(b) && desc.bindings[a.slot] == desc.bindings[b.slot])
+            if (a.slot < b.slot && pointsOf(a) && pointsOf(a) == pointsOf(b) &&
+                desc.bindings[a.slot] == desc.bindings[b.slot])
                 fail(AGAA_ERROR_INVALID_ARGUMENT,
                      format("AgaaGlDeviceDesc::bindings has the same place for AGAA_GL_BINDING_%s and "
                             "AGAA_GL_BINDING_%s.",

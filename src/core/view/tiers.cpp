@@ -91,7 +91,7 @@ VisibilityChoice coverageByEdges(uint32_t samples) {
 }
 
 // Returns the names of the techniques that have the tier.
-static std::string owners(TechniqueTable table, uint32_t tier) {
+static std::string techniquesWith(TechniqueTable table, uint32_t tier) {
     std::string names;
     for (const Technique* technique : table)
         for (const GenerationTier* row : technique->tiers)
@@ -117,7 +117,7 @@ GenerationChoice chooseGeneration(TechniqueTable table, const Technique& techniq
         }
     }
     if (choice.reason.empty()) { // the technique lacks the tier
-        const std::string names = owners(table, forced);
+        const std::string names = techniquesWith(table, forced);
         choice.reason = names.empty() ? format("the tier %s is not built for generation.", tierName(forced))
                                       : format("the tier %s is for %s.", tierName(forced), names.c_str());
     }

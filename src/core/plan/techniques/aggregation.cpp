@@ -42,7 +42,7 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format forma
     prepass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     prepass.draw().state.depthWrite = 1;
     prepass.draw().state.colorAttachmentCount = 1;
-    prepass.draw().colorTargets = {s.normals};
+    prepass.draw().colorTargets = {s.values};
     prepass.draw().depthTarget = s.depth;
     prepass.draw().clearsColor = prepass.draw().clearsDepth = true;
     return s;
@@ -101,7 +101,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     // Fragments at the far plane equal the cleared depth, although the prepass does not show them. The normals
     // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself.
     if (!a.represented && !b.view().reversedZ)
-        b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.normals);
+        b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.values);
     b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.view().hwSamples > 1)
         pass.draw().extensions.push_back("ARB_post_depth_coverage");
@@ -132,7 +132,7 @@ void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     const ResourceId metadata = a.define(
         [&](Pass& pass) {
             b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
-            b.bind(pass, slot::Normals, BindingType::Texture, prepass.normals);
+            b.bind(pass, slot::Normals, BindingType::Texture, prepass.values);
         },
         aggregates);
     if (!a.definitionClears)
@@ -141,7 +141,10 @@ void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
         const bool hasNormals = a.layout.has(AGAA_SEMANTIC_NORMAL);
         b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
-        b.bind(pass, slot::Normals, BindingType::Texture, b.counts() || !hasNormals ? prepass.normals : prepass.depth);
+        if (hasNormals)
+            bindGeometryMask(b, pass, prepass.values, prepass.depth);
+        else
+            b.bind(pass, slot::Normals, BindingType::Texture, prepass.values);
         pass.constants[AGAA_COVERAGE_COMPONENT] = 0;
         pass.constants[AGAA_PREPASS_NORMALS] = !hasNormals;
     });
@@ -204,7 +207,7 @@ void buildFromIds(PlanBuilder& b, const Aggregation& a) {
     setRecord(gather, a);
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
         b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth);
-        b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? ids.prepass.normals : ids.prepass.depth);
+        bindGeometryMask(b, pass, ids.prepass.values, ids.prepass.depth);
         pass.constants[AGAA_COVERAGE_COMPONENT] = anyComponent;
     });
 }

@@ -59,12 +59,16 @@ void GBuffer::bind(PlanBuilder& b, Pass& pass) const {
                attachments[std::min<size_t>(i, attachments.size() - 1)]);
 }
 
+void bindGeometryMask(PlanBuilder& b, Pass& pass, ResourceId mask, ResourceId depth) {
+    b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? mask : depth);
+}
+
 void GBuffer::bindDepth(PlanBuilder& b, Pass& pass) const {
     if (attachments.empty())
         return b.bindHostGBuffer(pass);
     b.bind(pass, slot::Depth, BindingType::Texture, depth);
     const Field& normal = packing.fields[ChannelNormalX];
-    b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? attachments[normal.word] : depth);
+    bindGeometryMask(b, pass, attachments[normal.word], depth);
     pass.constants[AGAA_COVERAGE_COMPONENT] = normal.shift;
 }
 
