@@ -16,6 +16,11 @@ View::View(Context& owner, Plan framePlan)
     : ViewState(owner, std::move(framePlan)), context(owner), barriers(plan.resources.size()) {
     require(plan.view.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
+    uint64_t largest = 0;
+    for (const Resource& resource : plan.resources)
+        if (resource.content != UploadContent::None)
+            largest = std::max(largest, resource.bytes);
+    upload_.resize(largest);
     try {
         resources.emplace(context, plan);
         hostPasses = makeHostPasses(plan, context.dialect);
@@ -139,8 +144,10 @@ MemoryUse View::memoryUse() const {
     return {resources->payloadBytes(), 0, resources->payloadBytes()};
 }
 
-void View::writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) {
-    context.gl.NamedBufferSubData(resources->buffer(buffer, slot), 0, GLsizeiptr(data.size()), data.data());
+std::byte* View::beginUpload(ResourceId, uint32_t) { return upload_.data(); }
+
+void View::endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) {
+    context.gl.NamedBufferSubData(resources->buffer(buffer, slot), 0, GLsizeiptr(bytes), upload_.data());
 }
 
 void View::readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const {
