@@ -1,7 +1,10 @@
 // The OpenGL part of the C ABI.
 #include "core/abi/backend_api.h"
+#include "core/abi/init.h"
 #include "core/base/error.h"
+#include "core/plan/planner.h"
 #include "gl/bindings.h"
+#include "gl/structs.h"
 #include "gl/view.h"
 
 #include <cstring>
@@ -16,13 +19,15 @@ void checkBindings(const AgaaGlDeviceDesc& desc) {
     HostDialect dialect;
     dialect.storageImages = desc.storage == AGAA_GL_STORAGE_IMAGES;
     dialect.constants = AgaaGlConstants(desc.constants);
-    const auto kind = [&](const BindingRow& row) {
-        const auto own = gl::hostKind(row, dialect);
-        return own == BindingKind::WrittenStorage ? BindingKind::Storage : own;
+    // Both kinds of storage buffers share the binding points.
+    const auto pointsOf = [&](const BindingRow& row) {
+        const auto kind = gl::hostKind(row, dialect);
+        return kind == BindingKind::WrittenStorage ? BindingKind::Storage : kind;
     };
     for (const BindingRow& a : hostBindingTable)
         for (const BindingRow& b : hostBindingTable)
-            if (a.slot < b.slot && kind(a) && kind(a) == kind(b) && desc.bindings[a.slot] == desc.bindings[b.slot])
+            if (a.slot < b.slot && pointsOf(a) && pointsOf(a) == pointsOf(b) &&
+                desc.bindings[a.slot] == desc.bindings[b.slot])
                 fail(AGAA_ERROR_INVALID_ARGUMENT,
                      format("AgaaGlDeviceDesc::bindings has the same place for AGAA_GL_BINDING_%s and "
                             "AGAA_GL_BINDING_%s.",
@@ -49,6 +54,9 @@ void checkDevice(const AgaaGlDeviceDesc& desc) {
 } // namespace
 
 extern "C" {
+
+#define AGAA_GL_STRUCT AGAA_INIT_FUNCTION
+#include "core/base/structs.inc"
 
 AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc, AgaaContext* outContext) {
     return guarded(logOfDesc(desc), "agaaGlCreateContext", [&]() -> AgaaResult {
@@ -89,7 +97,7 @@ AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* d
     return guarded(logOf(context), "agaaGlCreateView", [&]() -> AgaaResult {
         requireBackend(context, Backend::OpenGL);
         require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
-        const ViewSettings settings = resolveView(desc);
+        const ViewSettings settings = resolveView(desc, techniques());
         *outView = createView<gl::View>(static_cast<gl::Context&>(*context), settings, settings);
         return AGAA_OK;
     });

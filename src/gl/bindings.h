@@ -1,13 +1,19 @@
 // Binding points of OpenGL. Plans number all bindings in one space; OpenGL has one space for each kind.
 #pragma once
 
-#include "core/plan/bindings.h"
+#include "agaa_gl.h"
 #include "core/glsl/host_glsl.h"
+#include "core/plan/bindings.h"
 #include "gl/state_context.h"
 
 #include <optional>
 
 namespace agaa::gl {
+
+// The public names of the bindings that hosts set have the numbers of the slots.
+static_assert(hostBindingCount == AGAA_GL_BINDING_COUNT);
+#define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) static_assert(AGAA_GL_BINDING_##macro == slot);
+#include "shaders/tables/bindings.inc"
 
 constexpr uint32_t bindingPointOf(uint32_t slot) { return bindingTable[slot].openGl; }
 

@@ -1,9 +1,9 @@
 // Requirements and capabilities of OpenGL contexts.
 #include "core/abi/api_guard.h"
 #include "core/base/error.h"
-#include "core/base/structs.h"
 #include "gl/context.h"
 #include "gl/formats.h"
+#include "gl/structs.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,6 @@
 #include "gl/context.h"
 
 #include "core/base/error.h"
-
 #include "gl/bindings.h"
 #include "gl/timer_probe.h"
 
@@ -39,14 +38,14 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
 
 static StateScope scopeOf(const HostDialect& dialect) {
     StateScope scope = hostBindings(dialect);
-    const StateScope own = passBindings();
+    const StateScope passes = passBindings();
     const auto append = [](std::vector<uint32_t>& to, const std::vector<uint32_t>& from) {
         to.insert(to.end(), from.begin(), from.end());
     };
-    append(scope.textureUnits, own.textureUnits);
-    append(scope.uniformBindings, own.uniformBindings);
-    append(scope.storageBindings, own.storageBindings);
-    append(scope.imageUnits, own.imageUnits);
+    append(scope.textureUnits, passes.textureUnits);
+    append(scope.uniformBindings, passes.uniformBindings);
+    append(scope.storageBindings, passes.storageBindings);
+    append(scope.imageUnits, passes.imageUnits);
     return scope;
 }
 

@@ -1,6 +1,6 @@
 // Descriptions of draw passes and surfaces for hosts.
-#include "core/base/structs.h"
 #include "gl/formats.h"
+#include "gl/structs.h"
 #include "gl/view.h"
 
 namespace agaa::gl {

@@ -33,15 +33,15 @@ void View::clearTargets(size_t index) {
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
     gl.StencilMask(~0u);
-    if (pass.draw.clearsColor)
+    if (pass.draw().clearsColor)
         clearColor(index);
-    if (!pass.draw.clearsDepth || depth == Format::None)
+    if (!pass.draw().clearsDepth || depth == Format::None)
         return;
     if (hasStencil(depth))
-        gl.ClearNamedFramebufferfi(framebuffers[index], GL_DEPTH_STENCIL, 0, pass.draw.clear.depth,
-                                   GLint(pass.draw.clear.stencil));
+        gl.ClearNamedFramebufferfi(framebuffers[index], GL_DEPTH_STENCIL, 0, pass.draw().clear.depth,
+                                   GLint(pass.draw().clear.stencil));
     else
-        gl.ClearNamedFramebufferfv(framebuffers[index], GL_DEPTH, 0, &pass.draw.clear.depth);
+        gl.ClearNamedFramebufferfv(framebuffers[index], GL_DEPTH, 0, &pass.draw().clear.depth);
 }
 
 // Returns the map's texture. If the frame lacks the map, any valid texture is bound: shaders declare it but do not read
@@ -113,7 +113,7 @@ void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFra
 void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                        HostState& state) {
     const Pass& pass = plan.passes[step.pass];
-    if (pass.draw.clearsColor || pass.draw.clearsDepth)
+    if (pass.draw().clearsColor || pass.draw().clearsDepth)
         clearTargets(step.pass);
     AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass]);
     target.framebuffer = framebuffers[step.pass];
@@ -180,13 +180,14 @@ static void fillBuffer(const GladGLContext& gl, GLuint buffer, uint64_t bytes, u
 
 void View::runTransfer(const Pass& pass, uint32_t slot) {
     const GladGLContext& gl = context.gl;
-    if (pass.kind == PassKind::Fill)
-        fillBuffer(gl, resources->buffer(pass.fill.destination, slot),
-                   pass.fill.bytes ? pass.fill.bytes : plan.resources[pass.fill.destination].bytes, pass.fill.value);
+    if (pass.kind() == PassKind::Fill)
+        fillBuffer(gl, resources->buffer(pass.fill().destination, slot),
+                   pass.fill().bytes ? pass.fill().bytes : plan.resources[pass.fill().destination].bytes,
+                   pass.fill().value);
     else
-        gl.CopyNamedBufferSubData(resources->buffer(pass.copy.source, slot),
-                                  resources->buffer(pass.copy.destination, slot), 0, 0,
-                                  GLsizeiptr(plan.resources[pass.copy.source].bytes));
+        gl.CopyNamedBufferSubData(resources->buffer(pass.copy().source, slot),
+                                  resources->buffer(pass.copy().destination, slot), 0, 0,
+                                  GLsizeiptr(plan.resources[pass.copy().source].bytes));
 }
 
 static bool usesOutput(const Plan& plan, const Pass& pass) {
@@ -218,7 +219,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
     // The time of a repeated pass lasts from its first step to its last.
     if (clock && step.isFirst)
         clock->begin(slot, index);
-    switch (pass.kind) {
+    switch (pass.kind()) {
     case PassKind::HostDraw:
         runHostDraw(frame, glFrame, step, slot, state);
         break;
@@ -229,7 +230,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.emptyFramebuffer);
         gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
-        dispatch(pass.compute.dispatch, slot);
+        dispatch(pass.compute().dispatch, slot);
         break;
     }
     case PassKind::Fill:

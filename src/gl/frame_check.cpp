@@ -1,9 +1,8 @@
 // Checks of a frame's OpenGL objects and of the context before any pass runs.
-#include "gl/view.h"
-
 #include "core/base/arguments.h"
 #include "core/base/error.h"
 #include "core/frame/frame_checks.h"
+#include "gl/view.h"
 
 #include <algorithm>
 #include <iterator>

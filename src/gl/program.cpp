@@ -107,9 +107,9 @@ Compiled compilePass(Context& context, const Pass& pass) {
         if (const GLuint program = loadBinary(gl, *kept))
             return {program, true};
     const StageText stage{GL_COMPUTE_SHADER, text.c_str()};
-    const bool isImported = !pass.compute.hostCode.empty();
+    const bool isImported = !pass.compute().hostCode.empty();
     const GLuint program =
-        linkProgram(gl, {stage}, isImported ? pass.compute.hostCodeOrigin : "the pass " + pass.name,
+        linkProgram(gl, {stage}, isImported ? pass.compute().hostCodeOrigin : "the pass " + pass.name,
                     isImported ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_INTERNAL, context.keepsPrograms);
     if (context.keepsPrograms)
         keepBinary(gl, program, key, context.programs);

@@ -1,7 +1,6 @@
 #include "gl/resources.h"
 
 #include "core/base/error.h"
-
 #include "gl/formats.h"
 
 namespace agaa::gl {
@@ -11,7 +10,7 @@ namespace agaa::gl {
 static GLenum texelsOfDraws(const Context& context, const Plan& plan, ResourceId id) {
     for (const Pass& pass : plan.passes)
         for (const Binding& binding : pass.bindings) {
-            if (pass.kind != PassKind::HostDraw || binding.resource != id)
+            if (pass.kind() != PassKind::HostDraw || binding.resource != id)
                 continue;
             if (binding.type == BindingType::StorageBuffer && context.dialect.storageImages)
                 return GL_R32UI;
@@ -104,14 +103,10 @@ void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuRe
     }
 }
 
-GLuint ViewResources::buffer(ResourceId id, uint32_t slot) const {
-    const auto& buffers = resources_[id].buffers;
-    return buffers[buffers.size() > 1 ? slot : 0];
-}
+GLuint ViewResources::buffer(ResourceId id, uint32_t slot) const { return copyOfSlot(resources_[id].buffers, slot); }
 
 GLuint ViewResources::bufferImage(ResourceId id, uint32_t slot) const {
-    const auto& images = resources_[id].bufferImages;
-    return images[images.size() > 1 ? slot : 0];
+    return copyOfSlot(resources_[id].bufferImages, slot);
 }
 
 } // namespace agaa::gl

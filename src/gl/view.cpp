@@ -16,10 +16,15 @@ View::View(Context& owner, Plan framePlan)
     : ViewState(owner, std::move(framePlan)), context(owner), barriers(plan.resources.size()) {
     require(plan.view.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
+    uint64_t largest = 0;
+    for (const Resource& resource : plan.resources)
+        if (resource.content != UploadContent::None)
+            largest = std::max(largest, resource.bytes);
+    upload_.resize(largest);
     try {
         resources.emplace(context, plan);
-        createFramebuffers();
         hostPasses = makeHostPasses(plan, context.dialect);
+        createFramebuffers();
         addVariant(plan);
         positions = readPositions();
         if (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS)
@@ -64,7 +69,7 @@ void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
 void View::createFramebuffers() {
     framebuffers.resize(plan.passes.size());
     for (size_t i = 0; i < plan.passes.size(); ++i)
-        if (plan.passes[i].kind == PassKind::HostDraw)
+        if (plan.passes[i].kind() == PassKind::HostDraw)
             createFramebuffer(i);
 }
 
@@ -75,7 +80,7 @@ void View::createFramebuffer(size_t index) {
     const GLuint framebuffer = framebuffers[index];
     context.label(GL_FRAMEBUFFER, framebuffer, "agaa " + pass.name);
     std::vector<GLenum> buffers;
-    for (const ColorAttachment& color : colorAttachments(plan, pass)) {
+    for (const ColorAttachment& color : hostPasses[index].colors) {
         buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + buffers.size()));
         const GLuint texture = (*resources)[color.resource].texture;
         if (plan.resources[color.resource].layers > 1)
@@ -83,13 +88,13 @@ void View::createFramebuffer(size_t index) {
         else
             gl.NamedFramebufferTexture(framebuffer, buffers.back(), texture, 0);
     }
-    if (pass.draw.depthTarget != noResource)
-        gl.NamedFramebufferTexture(framebuffer, depthAttachment(plan.resources[pass.draw.depthTarget].format),
-                                   (*resources)[pass.draw.depthTarget].texture, 0);
-    if (pass.draw.depthTarget == noResource && buffers.empty()) {
-        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.draw.width));
-        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.draw.height));
-        const uint32_t samples = pass.draw.state.samples;
+    if (pass.draw().depthTarget != noResource)
+        gl.NamedFramebufferTexture(framebuffer, depthAttachment(plan.resources[pass.draw().depthTarget].format),
+                                   (*resources)[pass.draw().depthTarget].texture, 0);
+    if (pass.draw().depthTarget == noResource && buffers.empty()) {
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.draw().width));
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.draw().height));
+        const uint32_t samples = pass.draw().state.samples;
         gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples > 1 ? GLint(samples) : 0);
         gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_FIXED_SAMPLE_LOCATIONS, GL_TRUE);
     }
@@ -112,7 +117,7 @@ SamplePositions View::readPositions() const {
     if (plan.view.hwSamples == 1)
         return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
     const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(),
-                                   [](const Pass& pass) { return pass.kind == PassKind::HostDraw; });
+                                   [](const Pass& pass) { return pass.kind() == PassKind::HostDraw; });
     GLuint framebuffer = 0, texture = 0; // the texture exists only if the plan has no host pass
     if (draw != plan.passes.end()) {
         framebuffer = framebuffers[size_t(draw - plan.passes.begin())];
@@ -139,8 +144,10 @@ MemoryUse View::memoryUse() const {
     return {resources->payloadBytes(), 0, resources->payloadBytes()};
 }
 
-void View::writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) {
-    context.gl.NamedBufferSubData(resources->buffer(buffer, slot), 0, GLsizeiptr(data.size()), data.data());
+std::byte* View::beginUpload(ResourceId, uint32_t) { return upload_.data(); }
+
+void View::endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) {
+    context.gl.NamedBufferSubData(resources->buffer(buffer, slot), 0, GLsizeiptr(bytes), upload_.data());
 }
 
 void View::readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const {

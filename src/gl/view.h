@@ -47,7 +47,8 @@ private:
     void checkContextState() const;
     // Returns the output's format, or GL_NONE if the frame does not shade.
     GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
-    void writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) override;
+    std::byte* beginUpload(ResourceId buffer, uint32_t slot) override;
+    void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) override;
     void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
     bool isFinished(const Step& step, uint32_t slot) const;
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,
@@ -66,6 +67,7 @@ private:
     void runTransfer(const Pass& pass, uint32_t slot);
 
     GLenum outputFormat_ = GL_NONE;
+    std::vector<std::byte> upload_; // as large as the largest upload buffer
 };
 
 } // namespace agaa::gl

@@ -1,6 +1,9 @@
 // The Vulkan part of the C ABI.
 #include "core/abi/backend_api.h"
+#include "core/abi/init.h"
 #include "core/base/error.h"
+#include "core/plan/planner.h"
+#include "vk/structs.h"
 #include "vk/view.h"
 
 using namespace agaa;
@@ -22,6 +25,9 @@ void checkDevice(const AgaaVkDeviceDesc& desc) {
 } // namespace
 
 extern "C" {
+
+#define AGAA_VK_STRUCT AGAA_INIT_FUNCTION
+#include "core/base/structs.inc"
 
 AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc, AgaaContext* outContext) {
     return guarded(logOfDesc(desc), "agaaVkCreateContext", [&]() -> AgaaResult {
@@ -48,7 +54,7 @@ AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* d
     return guarded(logOf(context), "agaaVkCreateView", [&]() -> AgaaResult {
         requireBackend(context, Backend::Vulkan);
         require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
-        const ViewSettings settings = resolveView(desc);
+        const ViewSettings settings = resolveView(desc, techniques());
         require(!settings.clipZFromMinusOne, AGAA_ERROR_UNSUPPORTED,
                 "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE is of OpenGL; Vulkan maps z/w in [0;1] to depth.");
         *outView = createView<vk::View>(static_cast<vk::Context&>(*context), settings, settings);

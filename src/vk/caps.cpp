@@ -1,10 +1,9 @@
 // Requirements and capabilities of Vulkan devices.
-#include "vk/context.h"
-
 #include "core/abi/api_guard.h"
 #include "core/base/error.h"
 #include "core/plan/plan.h"
-#include "core/base/structs.h"
+#include "vk/context.h"
+#include "vk/structs.h"
 
 #include <algorithm>
 #include <cstring>

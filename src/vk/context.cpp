@@ -145,16 +145,16 @@ void Context::createObjects() {
     // Resizing recreates a view with the same pipelines, which the cache provides.
     VkPipelineCacheCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
-    check(vk.CreatePipelineCache(device, &info, nullptr, &ownCache_), "vkCreatePipelineCache");
-    name(VK_OBJECT_TYPE_PIPELINE_CACHE, (uint64_t)ownCache_, "agaa pipeline cache");
-    pipelineCache = ownCache_;
+    check(vk.CreatePipelineCache(device, &info, nullptr, &createdCache_), "vkCreatePipelineCache");
+    name(VK_OBJECT_TYPE_PIPELINE_CACHE, (uint64_t)createdCache_, "agaa pipeline cache");
+    pipelineCache = createdCache_;
 }
 
 void Context::destroyObjects() {
     vk.DestroySampler(device, texelSampler, nullptr);
     vk.DestroySampler(device, linearSampler, nullptr);
     vk.DestroySampler(device, shadowSampler, nullptr);
-    vk.DestroyPipelineCache(device, ownCache_, nullptr);
+    vk.DestroyPipelineCache(device, createdCache_, nullptr);
 }
 
 void Context::name(VkObjectType type, uint64_t handle, const std::string& text) const {

@@ -27,7 +27,7 @@ public:
     bool conditionalRendering = false;
     bool secondary = true; // draw callbacks record into secondary command buffers of the SDK
     HostDialect dialect;
-    VkPipelineCache pipelineCache;             // of the host, else ownCache_
+    VkPipelineCache pipelineCache;             // of the host, or createdCache_
     std::optional<AgaaVkAllocator> hostMemory; // nullopt: vkAllocateMemory
     VkPhysicalDeviceMemoryProperties memory{};
     VkDeviceSize maxAllocation = 0;
@@ -41,7 +41,7 @@ public:
 private:
     void createObjects();
     void destroyObjects();
-    VkPipelineCache ownCache_ = VK_NULL_HANDLE;
+    VkPipelineCache createdCache_ = VK_NULL_HANDLE; // null if the host has a cache
 };
 
 } // namespace agaa::vk

@@ -1,6 +1,6 @@
 // Descriptions of draw passes and surfaces for hosts.
-#include "core/base/structs.h"
 #include "vk/formats.h"
+#include "vk/structs.h"
 #include "vk/view.h"
 
 namespace agaa::vk {

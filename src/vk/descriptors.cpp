@@ -57,15 +57,18 @@ static void writeAttachments(const Context& context, VkDescriptorSet set, const 
 }
 
 void View::writeStaticDescriptors() {
-    for (size_t i = 0; i < passes.size(); ++i)
+    for (size_t i = 0; i < passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        const bool readsAttachments = pass.kind() == PassKind::HostDraw && pass.draw().state.readsAttachments;
         for (uint32_t slot = 0; slot < passes[i].sets.size(); ++slot) {
             const VkDescriptorSet set = passes[i].sets[slot];
-            for (const Binding& binding : plan.passes[i].bindings)
+            for (const Binding& binding : pass.bindings)
                 if (!plan.resources[binding.resource].isImported())
                     writeStatic(set, binding, slot);
-            if (plan.passes[i].draw.state.readsAttachments)
+            if (readsAttachments)
                 writeAttachments(context, set, hostPasses[i], *resources);
         }
+    }
 }
 
 void View::writeStatic(VkDescriptorSet set, const Binding& binding, uint32_t slot) {

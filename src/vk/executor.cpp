@@ -1,8 +1,7 @@
 // Records a frame: checks it, calls the draw callbacks, then records the passes and the barriers between them.
-#include "vk/view.h"
-
 #include "core/base/error.h"
 #include "core/frame/frame_checks.h"
+#include "vk/view.h"
 
 #include <new>
 
@@ -70,7 +69,7 @@ void View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
     size_t next = 0;
     for (const Step& step : steps) {
         const Pass& pass = plan.passes[step.pass];
-        if (pass.kind != PassKind::HostDraw)
+        if (pass.kind() != PassKind::HostDraw)
             continue;
         const VkCommandBuffer commands = slots[slot].secondaries[next++];
         if (!(pass.segment & frame.segments))
@@ -90,7 +89,7 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, siz
     context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, (VkPipeline)variant.programs[pass]);
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipelineLayout, 0,
                                      usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0, nullptr);
-    const Dispatch& dispatch = plan.passes[pass].compute.dispatch;
+    const Dispatch& dispatch = plan.passes[pass].compute().dispatch;
     if (dispatch.kind == DispatchKind::Indirect) {
         context.vk.CmdDispatchIndirect(commands, resources->buffer(dispatch.arguments, slot), dispatch.argumentsOffset);
         return;
@@ -119,14 +118,14 @@ void View::discardClear(const AgaaFrame& frame) {
 }
 
 void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
-    if (pass.kind == PassKind::Fill) {
-        context.vk.CmdFillBuffer(commands, resources->buffer(pass.fill.destination, slot), 0,
-                                 pass.fill.bytes ? pass.fill.bytes : VK_WHOLE_SIZE, pass.fill.value);
+    if (pass.kind() == PassKind::Fill) {
+        context.vk.CmdFillBuffer(commands, resources->buffer(pass.fill().destination, slot), 0,
+                                 pass.fill().bytes ? pass.fill().bytes : VK_WHOLE_SIZE, pass.fill().value);
         return;
     }
-    const VkBufferCopy region{0, 0, plan.resources[pass.copy.source].bytes};
-    context.vk.CmdCopyBuffer(commands, resources->buffer(pass.copy.source, slot),
-                             resources->buffer(pass.copy.destination, slot), 1, &region);
+    const VkBufferCopy region{0, 0, plan.resources[pass.copy().source].bytes};
+    context.vk.CmdCopyBuffer(commands, resources->buffer(pass.copy().source, slot),
+                             resources->buffer(pass.copy().destination, slot), 1, &region);
     const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT,
                                  VK_ACCESS_HOST_READ_BIT};
     context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &toHost,
@@ -151,7 +150,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     if (queries && step.isFirst)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query);
     AgaaResult result = AGAA_OK;
-    switch (pass.kind) {
+    switch (pass.kind()) {
     case PassKind::HostDraw:
         beginHostRendering(context, pass, hostPasses[index], passes[index].target, *resources, commands);
         if (context.secondary)
@@ -195,7 +194,7 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, cons
         const Pass& pass = plan.passes[steps[number].pass];
         if (pass.segment & frame.segments)
             recordStep(frame, vkFrame, variant, number, secondary, slot, commands);
-        secondary += pass.kind == PassKind::HostDraw;
+        secondary += pass.kind() == PassKind::HostDraw;
     }
 }
 

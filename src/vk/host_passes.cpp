@@ -12,7 +12,7 @@ namespace {
 
 VkClearValue depthClear(const Pass& pass) {
     VkClearValue value{};
-    value.depthStencil = {pass.draw.clear.depth, pass.draw.clear.stencil};
+    value.depthStencil = {pass.draw().clear.depth, pass.draw().clear.stencil};
     return value;
 }
 
@@ -23,7 +23,7 @@ VkClearValue colorClear(const ColorAttachment& color) {
 }
 
 VkImageLayout colorLayout(const Pass& pass) {
-    return pass.draw.state.readsAttachments ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    return pass.draw().state.readsAttachments ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 }
 
 VkAttachmentDescription attachment(const Resource& resource, bool clear, VkImageLayout layout) {
@@ -47,21 +47,22 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     std::vector<VkImageView> views;
     for (const ColorAttachment& color : hostPass.colors) {
         colors.push_back({uint32_t(attachments.size()), colorLayout(pass)});
-        attachments.push_back(attachment(plan.resources[color.resource], pass.draw.clearsColor, colorLayout(pass)));
+        attachments.push_back(attachment(plan.resources[color.resource], pass.draw().clearsColor, colorLayout(pass)));
         views.push_back(resources[color.resource].layerViews[color.layer]);
     }
     const VkAttachmentReference depth{uint32_t(attachments.size()), VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
-    const bool hasDepth = pass.draw.depthTarget != noResource;
+    const bool hasDepth = pass.draw().depthTarget != noResource;
     if (hasDepth) {
-        attachments.push_back(attachment(plan.resources[pass.draw.depthTarget], pass.draw.clearsDepth, depth.layout));
-        views.push_back(resources[pass.draw.depthTarget].layerViews[0]);
+        attachments.push_back(
+            attachment(plan.resources[pass.draw().depthTarget], pass.draw().clearsDepth, depth.layout));
+        views.push_back(resources[pass.draw().depthTarget].layerViews[0]);
     }
     VkSubpassDescription subpass{};
     subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
     subpass.colorAttachmentCount = uint32_t(colors.size());
     subpass.pColorAttachments = colors.data();
     subpass.pDepthStencilAttachment = hasDepth ? &depth : nullptr;
-    if (pass.draw.state.readsAttachments) {
+    if (pass.draw().state.readsAttachments) {
         subpass.flags = VK_SUBPASS_DESCRIPTION_RASTERIZATION_ORDER_ATTACHMENT_COLOR_ACCESS_BIT_EXT;
         subpass.inputAttachmentCount = subpass.colorAttachmentCount;
         subpass.pInputAttachments = colors.data();
@@ -79,8 +80,8 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     framebuffer.renderPass = out.renderPass;
     framebuffer.attachmentCount = uint32_t(views.size());
     framebuffer.pAttachments = views.data();
-    framebuffer.width = pass.draw.width;
-    framebuffer.height = pass.draw.height;
+    framebuffer.width = pass.draw().width;
+    framebuffer.height = pass.draw().height;
     framebuffer.layers = 1;
     check(context.vk.CreateFramebuffer(context.device, &framebuffer, nullptr, &out.framebuffer), "vkCreateFramebuffer");
     context.name(VK_OBJECT_TYPE_FRAMEBUFFER, (uint64_t)out.framebuffer, "agaa " + pass.name);
@@ -99,7 +100,7 @@ VkRenderingAttachmentInfo renderingAttachment(VkImageView view, VkImageLayout la
 
 // Dynamic rendering has no input attachments in the Vulkan versions that the SDK supports.
 bool needsRenderPass(const Context& context, const Pass& pass) {
-    return !context.dynamicRendering || pass.draw.state.readsAttachments;
+    return !context.dynamicRendering || pass.draw().state.readsAttachments;
 }
 
 } // namespace
@@ -119,7 +120,7 @@ void destroyHostRenderTarget(const Context& context, HostRenderTarget& target) {
 
 void beginHostRendering(const Context& context, const Pass& pass, const HostPass& hostPass,
                         const HostRenderTarget& target, const ViewResources& resources, VkCommandBuffer commands) {
-    const VkRect2D area{{0, 0}, {pass.draw.width, pass.draw.height}};
+    const VkRect2D area{{0, 0}, {pass.draw().width, pass.draw().height}};
     const bool hasDepth = hostPass.depthFormat != Format::None;
     if (target.renderPass) {
         std::vector<VkClearValue> clears;
@@ -142,11 +143,11 @@ void beginHostRendering(const Context& context, const Pass& pass, const HostPass
     std::vector<VkRenderingAttachmentInfo> colors;
     for (const ColorAttachment& color : hostPass.colors)
         colors.push_back(renderingAttachment(resources[color.resource].layerViews[color.layer], colorLayout(pass),
-                                             pass.draw.clearsColor, colorClear(color)));
+                                             pass.draw().clearsColor, colorClear(color)));
     VkRenderingAttachmentInfo depth{};
     if (hasDepth)
-        depth = renderingAttachment(resources[pass.draw.depthTarget].layerViews[0],
-                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.draw.clearsDepth,
+        depth = renderingAttachment(resources[pass.draw().depthTarget].layerViews[0],
+                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.draw().clearsDepth,
                                     depthClear(pass));
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
@@ -179,7 +180,7 @@ void beginSecondary(const Context& context, const Pass& pass, const HostPass& ho
     rendering.pColorAttachmentFormats = colors.data();
     rendering.depthAttachmentFormat = depth;
     rendering.stencilAttachmentFormat = hasStencil(hostPass.depthFormat) ? depth : VK_FORMAT_UNDEFINED;
-    rendering.rasterizationSamples = VkSampleCountFlagBits(pass.draw.state.samples);
+    rendering.rasterizationSamples = VkSampleCountFlagBits(pass.draw().state.samples);
     VkCommandBufferInheritanceInfo inheritance{};
     inheritance.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO;
     inheritance.pNext = target.renderPass ? nullptr : &rendering;

@@ -1,11 +1,10 @@
 #include "vk/resources.h"
 
-#include "core/plan/arena.h"
 #include "core/base/callbacks.h"
+#include "core/base/checked.h"
 #include "core/base/error.h"
 #include "core/plan/access.h"
-
-#include "core/base/checked.h"
+#include "core/plan/arena.h"
 #include "vk/formats.h"
 
 #include <algorithm>
@@ -314,8 +313,8 @@ void ViewResources::allocateBuffer(const Request& request) {
 ViewResources::Block ViewResources::allocateBlock(const BlockRequest& wanted, std::span<const uint32_t> types) {
     if (context_.hostMemory)
         return allocateFromHost(wanted, types);
-    const Allocation own = allocate(wanted.size, types);
-    return {own.memory, 0, wanted.required ? map(own.memory) : nullptr, own.type == types.front()};
+    const Allocation allocation = allocate(wanted.size, types);
+    return {allocation.memory, 0, wanted.required ? map(allocation.memory) : nullptr, allocation.type == types.front()};
 }
 
 ViewResources::Block ViewResources::allocateFromHost(const BlockRequest& wanted, std::span<const uint32_t> types) {
@@ -377,14 +376,10 @@ void ViewResources::createViews(const Plan& plan) {
     }
 }
 
-VkBuffer ViewResources::buffer(ResourceId id, uint32_t slot) const {
-    const auto& buffers = resources_[id].buffers;
-    return buffers[buffers.size() > 1 ? slot : 0];
-}
+VkBuffer ViewResources::buffer(ResourceId id, uint32_t slot) const { return copyOfSlot(resources_[id].buffers, slot); }
 
 std::byte* ViewResources::mapped(ResourceId id, uint32_t slot) const {
-    const auto& copies = resources_[id].mapped;
-    return static_cast<std::byte*>(copies[copies.size() > 1 ? slot : 0]);
+    return static_cast<std::byte*>(copyOfSlot(resources_[id].mapped, slot));
 }
 
 } // namespace agaa::vk

@@ -9,9 +9,10 @@ MemoryUse View::memoryUse() const {
     return {resources->payloadBytes(), resources->driverBytes(), resources->peakBytes()};
 }
 
-void View::writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) {
-    std::memcpy(resources->mapped(buffer, slot), data.data(), data.size());
-}
+std::byte* View::beginUpload(ResourceId buffer, uint32_t slot) { return resources->mapped(buffer, slot); }
+
+// The memory is coherent.
+void View::endUpload(ResourceId, uint32_t, uint64_t) {}
 
 void View::readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const {
     std::memcpy(data.data(), resources->mapped(buffer, slot) + offset, data.size());

@@ -1,10 +1,10 @@
 #include "vk/view.h"
 
-#include "core/base/error.h"
-#include "core/plan/bindings.h"
-#include "core/glsl/compile_glsl.h"
 #include "core/base/embedded.h"
+#include "core/base/error.h"
+#include "core/glsl/compile_glsl.h"
 #include "core/glsl/glsl_text.h"
+#include "core/plan/bindings.h"
 #include "core/plan/planner.h"
 
 #include <algorithm>
@@ -16,9 +16,7 @@ View::View(Context& device, const ViewSettings& settings)
     : View(device, makePlan(settings, device.caps, device.framesInFlight)) {}
 
 View::View(Context& device, Plan framePlan) : ViewState(device, std::move(framePlan)), context(device) {
-    positions = plan.view.samplePositions.empty()
-                    ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
-                    : samplePositions(plan.view.samplePositions);
+    positions = samplePositions(plan.view);
     try {
         resources.emplace(context, plan);
         hostPasses = makeHostPasses(plan, context.dialect);
@@ -68,12 +66,12 @@ void View::createPassObjects() {
         for (const Binding& binding : pass.bindings) {
             const VkDescriptorType type = descriptorType(binding.type);
             const VkShaderStageFlags stages =
-                pass.kind == PassKind::HostDraw ? VK_SHADER_STAGE_ALL_GRAPHICS : VK_SHADER_STAGE_COMPUTE_BIT;
+                pass.kind() == PassKind::HostDraw ? VK_SHADER_STAGE_ALL_GRAPHICS : VK_SHADER_STAGE_COMPUTE_BIT;
             bindings.push_back({binding.slot, type, 1, stages, nullptr});
             counts[type] += context.framesInFlight;
         }
-        if (pass.draw.state.readsAttachments) {
-            const uint32_t count = pass.draw.state.colorAttachmentCount;
+        if (pass.kind() == PassKind::HostDraw && pass.draw().state.readsAttachments) {
+            const uint32_t count = pass.draw().state.colorAttachmentCount;
             bindings.push_back({fetchedTargetsSlot, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, count,
                                 VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
             counts[VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT] += count * context.framesInFlight;
@@ -86,7 +84,7 @@ void View::createPassObjects() {
         check(context.vk.CreateDescriptorSetLayout(context.device, &info, nullptr, &passes[i].setLayout),
               "vkCreateDescriptorSetLayout");
         context.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, (uint64_t)passes[i].setLayout, "agaa " + pass.name);
-        if (pass.kind == PassKind::HostDraw)
+        if (pass.kind() == PassKind::HostDraw)
             createHostRenderTarget(context, plan, pass, hostPasses[i], *resources, passes[i].target);
     }
     std::vector<VkDescriptorPoolSize> sizes;
@@ -119,7 +117,7 @@ void View::createPassObjects() {
 void View::createPipelineLayouts() {
     for (size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
-        if (pass.kind != PassKind::Compute)
+        if (pass.kind() != PassKind::Compute)
             continue;
         PassObjects& objects = passes[i];
         const VkDescriptorSetLayout sets[] = {objects.setLayout, (VkDescriptorSetLayout)plan.view.functionSetLayout};
@@ -139,12 +137,13 @@ Compiled View::compile(const Pass& pass, size_t index) {
     for (uint32_t i = 0; i < ConstantCount; ++i)
         entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
     std::vector<uint32_t> compiled;
-    if (!pass.compute.text.empty() || !pass.compute.hostCode.empty())
-        compiled = compileCompute(passGlsl(pass), pass.compute.hostCode.empty() ? pass.name.c_str()
-                                                                                : pass.compute.hostCodeOrigin.c_str());
-    const std::span<const uint32_t> words = compiled.empty() ? embeddedSpirv(pass.compute.shader) : compiled;
+    if (!pass.compute().text.empty() || !pass.compute().hostCode.empty())
+        compiled =
+            compileCompute(passGlsl(pass),
+                           pass.compute().hostCode.empty() ? pass.name.c_str() : pass.compute().hostCodeOrigin.c_str());
+    const std::span<const uint32_t> words = compiled.empty() ? embeddedSpirv(pass.compute().shader) : compiled;
     if (words.empty())
-        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute.shader + ".");
+        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute().shader + ".");
     VkShaderModuleCreateInfo moduleInfo{};
     moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     moduleInfo.codeSize = words.size_bytes();
@@ -172,7 +171,7 @@ Compiled View::compile(const Pass& pass, size_t index) {
 void View::createSlots() {
     slots.resize(context.framesInFlight);
     const auto draws = std::count_if(steps.begin(), steps.end(), [&](const Step& step) {
-        return plan.passes[step.pass].kind == PassKind::HostDraw;
+        return plan.passes[step.pass].kind() == PassKind::HostDraw;
     });
     for (FrameSlot& slot : slots) {
         if (!context.secondary || draws == 0)
@@ -205,7 +204,7 @@ void View::createSlots() {
 }
 
 bool View::usesHostSet(const Pass& pass) const {
-    return !pass.compute.hostCode.empty() && plan.view.functionSetLayout != 0;
+    return pass.kind() == PassKind::Compute && !pass.compute().hostCode.empty() && plan.view.functionSetLayout != 0;
 }
 
 bool View::timed() const { return (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0; }

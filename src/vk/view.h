@@ -60,7 +60,8 @@ private:
     void createSlots();
     void destroy();
     void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const;
-    void writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) override;
+    std::byte* beginUpload(ResourceId buffer, uint32_t slot) override;
+    void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) override;
     void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
                       bool begins);

@@ -1,5 +1,7 @@
 // Structs of hosts that were compiled against earlier and later headers: every versioned struct.
 #include "core/base/structs.h"
+#include "gl/structs.h"
+#include "vk/structs.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +27,8 @@ std::vector<Case> allStructs() {
                              agaaInit##Name(static_cast<Agaa##Name*>(structure), size);                                \
                          }});                                                                                          \
     }
+#define AGAA_VK_STRUCT AGAA_STRUCT
+#define AGAA_GL_STRUCT AGAA_STRUCT
 #include "core/base/structs.inc"
     return cases;
 }

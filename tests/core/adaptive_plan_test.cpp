@@ -37,8 +37,8 @@ Plan adaptivePlan(uint32_t samples, const std::function<void(AgaaAdaptiveSamplin
 std::vector<std::string> computePasses(const Plan& plan) {
     std::vector<std::string> names;
     for (const Pass& pass : plan.passes)
-        if (pass.kind == PassKind::Compute)
-            names.push_back(std::filesystem::path(pass.compute.file).stem().string());
+        if (pass.kind() == PassKind::Compute)
+            names.push_back(std::filesystem::path(pass.compute().file).stem().string());
     return names;
 }
 
@@ -161,9 +161,9 @@ TEST(Adaptive, ListsSayHowManyGroupsThereAre) {
     const Plan plan = adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; });
     std::vector<std::pair<std::string, uint64_t>> lists;
     for (const Pass& pass : plan.passes)
-        if (pass.compute.dispatch.kind == DispatchKind::Indirect) {
-            EXPECT_EQ(pass.compute.dispatch.arguments, plan.surface("sample-choices"));
-            lists.emplace_back(pass.name, pass.compute.dispatch.argumentsOffset);
+        if (pass.kind() == PassKind::Compute && pass.compute().dispatch.kind == DispatchKind::Indirect) {
+            EXPECT_EQ(pass.compute().dispatch.arguments, plan.surface("sample-choices"));
+            lists.emplace_back(pass.name, pass.compute().dispatch.argumentsOffset);
         }
     using Lists = std::vector<std::pair<std::string, uint64_t>>;
     EXPECT_EQ(lists, (Lists{{"count samples", 4 * (AGAA_COMPLEX_PIXELS_AT + 1)},

@@ -80,11 +80,11 @@ private:
 };
 
 void expectDefined(const Plan& plan, const Pass& pass, const std::string& what) {
-    if (pass.kind == PassKind::Compute) {
+    if (pass.kind() == PassKind::Compute) {
         EXPECT_EQ(conditionErrors(passGlslForOpenGl(pass, 430)), "") << what;
         return;
     }
-    if (pass.kind != PassKind::HostDraw)
+    if (pass.kind() != PassKind::HostDraw)
         return;
     for (const char* masked : {"0", "1"})
         for (bool images : {false, true}) {

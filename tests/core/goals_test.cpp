@@ -28,7 +28,7 @@ bool isBruteForce(const AgaaChoice& choice) {
 TEST(GoalTable, RowsAreSettingsOfTechniques) {
     std::set<std::string> seen;
     for (const ChoiceRow& row : choiceRows()) {
-        const Technique* technique = findTechnique(row.technique);
+        const Technique* technique = findTechnique(techniques(), row.technique);
         ASSERT_TRUE(technique) << row.technique;
         EXPECT_LE(row.samples, technique->maxSamples);
         EXPECT_EQ(row.aggregates > 0, technique->maxAggregates > 0);

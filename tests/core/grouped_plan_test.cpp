@@ -60,11 +60,11 @@ TEST(GroupedPlan, DrawsThatCannotBeFetchedAddAGBuffer) {
     EXPECT_TRUE(hasResource(mixed, "gbuffer-0"));
     EXPECT_TRUE(has(mixed.notes, "cannot be fetched"));
     const Pass& over = mixed.passes[1];
-    EXPECT_EQ(over.draw.id, AGAA_DRAW_PASS_GBUFFER);
-    EXPECT_EQ(over.draw.state.depthCompare, uint32_t(AGAA_COMPARE_EQUAL));
-    EXPECT_EQ(over.draw.state.depthWrite, 0u);
-    EXPECT_FALSE(over.draw.clearsDepth);
-    EXPECT_EQ(over.draw.depthTarget, mixed.passes[0].draw.depthTarget);
+    EXPECT_EQ(over.draw().id, AGAA_DRAW_PASS_GBUFFER);
+    EXPECT_EQ(over.draw().state.depthCompare, uint32_t(AGAA_COMPARE_EQUAL));
+    EXPECT_EQ(over.draw().state.depthWrite, 0u);
+    EXPECT_FALSE(over.draw().clearsDepth);
+    EXPECT_EQ(over.draw().depthTarget, mixed.passes[0].draw().depthTarget);
 }
 
 TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
@@ -175,8 +175,8 @@ TEST(GroupedPlan, ExtensionsOfTheHostsCodeFollowTheVersion) {
     const Pass pass = planFor(spec, fourSampleDevice()).passes.back();
     EXPECT_NE(passGlsl(pass).find("#version 450\n" + both), std::string::npos) << passGlsl(pass).substr(0, 500);
     EXPECT_NE(passGlslForOpenGl(pass, 430).find("#version 430\n" + both), std::string::npos);
-    EXPECT_EQ(pass.compute.hostCodeOrigin, "AgaaFetchFunction::glsl and ::glslExtensions with "
-                                           "AgaaShadowFunction::glsl and ::glslExtensions");
+    EXPECT_EQ(pass.compute().hostCodeOrigin, "AgaaFetchFunction::glsl and ::glslExtensions with "
+                                             "AgaaShadowFunction::glsl and ::glslExtensions");
 }
 
 // Compiled only: no software rasteriser here has the feature.
@@ -191,7 +191,7 @@ TEST(GroupedPlan, BindlessTexturesCompile) {
     spec.chained = &fetch;
     const auto words = [&] {
         const Pass pass = planFor(spec, fourSampleDevice()).passes.back();
-        return compileCompute(passGlsl(pass), pass.compute.hostCodeOrigin.c_str()).size();
+        return compileCompute(passGlsl(pass), pass.compute().hostCodeOrigin.c_str()).size();
     };
     EXPECT_THROW(words(), Error) << "without the extension";
     fetch.glslExtensions = "#extension GL_EXT_nonuniform_qualifier : require";
@@ -206,7 +206,7 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
         AgaaDeviceCaps caps = fourSampleDevice();
         caps.maxSharedBytes = bytes;
         caps.flags |= flags;
-        const std::string& defines = planFor(spec, caps).passes.back().compute.defines;
+        const std::string defines = planFor(spec, caps).passes.back().compute().defines;
         const size_t at = defines.find("AGAA_LIST_LENGTH ");
         return std::stoul(defines.substr(at + 17));
     };

@@ -68,7 +68,7 @@ template <typename Visit> void forEveryHostPass(const Visit& visit) {
                 for (uint32_t aggregates : {1u, 2u, 3u, 4u})
                     for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE})
                         for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS, routed}) {
-                            const bool aggregating = findTechnique(technique)->maxAggregates != 0;
+                            const bool aggregating = findTechnique(techniques(), technique)->maxAggregates != 0;
                             if (!aggregating && (aggregates > 1 || tier))
                                 continue;
                             ViewSpec spec;
@@ -83,7 +83,7 @@ template <typename Visit> void forEveryHostPass(const Visit& visit) {
                             };
                             const Plan plan = planFor(spec, fourSampleDevice());
                             for (const Pass& pass : plan.passes)
-                                if (pass.kind == PassKind::HostDraw)
+                                if (pass.kind() == PassKind::HostDraw)
                                     visit(plan, pass);
                         }
 }
@@ -99,8 +99,8 @@ TEST_P(HostDialects, CompilesForEveryPlan) {
             return;
         const bool masked = ++compiled & 1;
         const std::string text = hostShader(plan, pass, GetParam(), masked);
-        ASSERT_EQ(compileErrors(text, GetParam()), "")
-            << plan.view.technique << " n=" << plan.view.samples << " c=" << plan.view.aggregates << " " << pass.name;
+        ASSERT_EQ(compileErrors(text, GetParam()), "") << plan.view.technique->name << " n=" << plan.view.samples
+                                                       << " c=" << plan.view.aggregates << " " << pass.name;
         if (GetParam().hostOutputs) {
             ASSERT_EQ(text.find(") out vec4"), std::string::npos);
         }
@@ -116,7 +116,7 @@ TEST(HostGlslCorners, HaveALocationInEveryVersion) {
         spec.viewFlags = isPulled ? AGAA_VIEW_VERTEX_PULLING : 0;
         const Plan plan = planFor(spec, idealDevice());
         const Pass& pass =
-            *std::ranges::find_if(plan.passes, [](const Pass& p) { return p.kind == PassKind::HostDraw; });
+            *std::ranges::find_if(plan.passes, [](const Pass& p) { return p.kind() == PassKind::HostDraw; });
         for (const uint32_t version : {330u, 400u, 410u, 430u, 460u}) {
             HostDialect dialect;
             dialect.openGl = true;
@@ -182,7 +182,7 @@ TEST(HostGlslForward, WithoutStorageBlocksLightsAreBounded) {
         HostDialect dialect;
         dialect.openGl = dialect.storageImages = true;
         for (const Pass& pass : plan.passes) {
-            if (pass.kind != PassKind::HostDraw || pass.draw.id != AGAA_DRAW_PASS_FORWARD)
+            if (pass.kind() != PassKind::HostDraw || pass.draw().id != AGAA_DRAW_PASS_FORWARD)
                 continue;
             if (lights > 231) {
                 EXPECT_THROW(hostDeclarations(plan, pass, dialect), Error);
@@ -223,7 +223,7 @@ TEST_F(HostGlsl, WithoutBlocksNoneIsDeclared) {
                         dialect.constants = constants;
                         const Plan plan = planFor(spec, fourSampleDevice());
                         for (const Pass& pass : plan.passes) {
-                            if (pass.kind != PassKind::HostDraw)
+                            if (pass.kind() != PassKind::HostDraw)
                                 continue;
                             const std::string text = hostShader(plan, pass, dialect, false);
                             EXPECT_EQ(compileErrors(text, dialect), "") << technique << ' ' << samples;
@@ -246,7 +246,7 @@ TEST_F(HostGlsl, WithoutBlocksNoneIsDeclared) {
     EXPECT_THROW(
         {
             for (const Pass& pass : plan.passes)
-                if (pass.kind == PassKind::HostDraw)
+                if (pass.kind() == PassKind::HostDraw)
                     hostDeclarations(plan, pass, dialect);
         },
         Error);

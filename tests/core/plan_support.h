@@ -89,13 +89,13 @@ inline ViewSettings settingsFor(const ViewSpec& spec) {
     view.pNext = spec.chained;
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
     // Of other numbers of samples.
-    if (findTechnique(spec.technique)->countsCoverage(config.generationTier, config.samples)) {
+    if (findTechnique(techniques(), spec.technique)->countsCoverage(config.generationTier, config.samples)) {
         config.samples = std::max(spec.samples, 32u);
         fetch.glsl = "";
         fetch.maxDraws = fetch.maxPrimitives = 1;
         view.pNext = spec.chained || !spec.fetches ? spec.chained : &fetch;
     }
-    return resolveView(&view);
+    return resolveView(&view, techniques());
 }
 
 inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) { return makePlan(settingsFor(spec), caps, 2); }

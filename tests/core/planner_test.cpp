@@ -52,7 +52,8 @@ TEST(Planner, TiersRefuseNumbersOfSamplesThatNoTargetHas) {
             expectRefused(samples, [&] { chooseVisibility(idealDevice(), samples, tier); });
             expectRefused(samples, [&] {
                 const AgaaDeviceCaps caps = idealDevice();
-                chooseGeneration(*findTechnique("agaa"), {.caps = caps, .hwSamples = samples}, AGAA_TIER_AUTO);
+                chooseGeneration(techniques(), *findTechnique(techniques(), "agaa"),
+                                 {.caps = caps, .hwSamples = samples}, AGAA_TIER_AUTO);
             });
         }
 }
@@ -81,7 +82,8 @@ TEST(Planner, APlanHasNoMorePassesThanStatisticsHold) {
     view.config = &config;
     view.facts = &facts;
     const auto build = [&](size_t passes) {
-        PlanBuilder builder(resolveForDevice(resolveView(&view), idealDevice()), idealDevice(), 2);
+        PlanBuilder builder(resolveForDevice(resolveView(&view, techniques()), idealDevice(), techniques()),
+                            idealDevice(), 2);
         const ResourceId buffer = builder.pixelBuffer("words", 4);
         while (builder.plan.passes.size() < passes)
             builder.fill("clear", AGAA_STAGE_OTHER, buffer, AGAA_SEGMENT_SHADING);
@@ -292,7 +294,7 @@ TEST(Planner, FactsThatATechniqueCannotShowAreRefused) {
                 EXPECT_THROW(planFor(spec, idealDevice()), Error);
             }
         }
-    EXPECT_FALSE(findTechnique("msaa")->facts & AGAA_FACT_CUSTOM_DEPTH);
+    EXPECT_FALSE(findTechnique(techniques(), "msaa")->facts & AGAA_FACT_CUSTOM_DEPTH);
 }
 
 TEST(Planner, AggregatesThatNoBufferHoldsAreNotKept) {
@@ -350,12 +352,14 @@ TEST(Planner, ReversedZGetsAFloatFormat) {
 TEST(Planner, LightsAreCulledWhereThereAreManyAndADepth) {
     const auto passesOf = [](const ViewSpec& spec) {
         const Plan plan = planFor(spec, fourSampleDevice());
-        const auto isCulling = [](const Pass& pass) { return pass.compute.file == "common/cull_lights.comp"; };
+        const auto isCulling = [](const Pass& pass) {
+            return pass.kind() == PassKind::Compute && pass.compute().file == "common/cull_lights.comp";
+        };
         const auto cull = std::ranges::find_if(plan.passes, isCulling);
         const bool culls = cull != plan.passes.end();
         for (const Pass& pass : plan.passes)
             for (const Binding& binding : pass.bindings)
-                if (pass.kind == PassKind::Compute && binding.slot == slot::LightMasks && !isCulling(pass)) {
+                if (pass.kind() == PassKind::Compute && binding.slot == slot::LightMasks && !isCulling(pass)) {
                     EXPECT_EQ(pass.constants[AGAA_LIGHT_WORDS], culls ? (spec.maxLights + 31) / 32 : 0) << pass.name;
                     EXPECT_FALSE(binding.writes);
                 }
@@ -388,7 +392,7 @@ TEST(Planner, SlotsOfAPassHavePlacesOfTheirOwn) {
         for (const Pass& pass : plan.passes) {
             std::map<std::pair<BindingKind, uint32_t>, uint32_t> slots;
             for (const Binding& binding : pass.bindings) {
-                if (pass.kind != PassKind::Compute)
+                if (pass.kind() != PassKind::Compute)
                     continue;
                 const BindingRow& row = bindingTable[binding.slot];
                 const uint32_t first = slots.try_emplace({row.kind, row.openGl}, binding.slot).first->second;
@@ -452,9 +456,9 @@ TEST(Planner, FoldedAggregatesInMemoryAreNotFiltered) {
 
 void expectShadersOf(const ViewSpec& spec) {
     for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
-        EXPECT_TRUE(pass.kind != PassKind::Compute || !pass.compute.hostCode.empty() ||
-                    !embeddedSpirv(pass.compute.shader).empty())
-            << pass.compute.shader;
+        EXPECT_TRUE(pass.kind() != PassKind::Compute || !pass.compute().hostCode.empty() ||
+                    !embeddedSpirv(pass.compute().shader).empty())
+            << pass.compute().shader;
 }
 
 TEST(Planner, EveryShaderOfEveryPlanIsInTheLibrary) {
@@ -507,7 +511,7 @@ TEST(Planner, PipelineKeysChangeOnlyWithWhatPipelinesDependOn) {
         const Plan plan = planFor(spec, fourSampleDevice());
         std::vector<uint64_t> list;
         for (const Pass& pass : plan.passes)
-            if (pass.kind == PassKind::HostDraw)
+            if (pass.kind() == PassKind::HostDraw)
                 list.push_back(hostPassKey(plan, pass, {}));
         return list;
     };

@@ -34,7 +34,7 @@ struct Host {
                   bool hasFetch = false)
         : fetches(hasFetch) {
         config.technique = technique;
-        config.samples = findTechnique(technique)->maxSamples ? samples : 64;
+        config.samples = findTechnique(techniques(), technique)->maxSamples ? samples : 64;
         config.generationTier = generationTier;
         desc.width = 320;
         desc.height = 180;
@@ -336,7 +336,7 @@ TEST(Prices, WhatIsNotPossibleSaysWhy) {
     Host host("ssaa");
     AgaaViewDesc view = *host.view();
     view.pNext = &function;
-    const auto list = listPrices(resolveView(&view), host.caps, 2);
+    const auto list = listPrices(resolveView(&view, techniques()), host.caps, 2);
     for (const AgaaPrice& price : list)
         if (price.kind == AGAA_PRICE_SAMPLES) {
             EXPECT_EQ(price.isPossible, 0u);
@@ -368,7 +368,7 @@ TEST(Prices, AShadowFunctionOfMapsThatArePricedAwayGoesWithThem) {
     host.facts.shadowMapCount = 2;
     AgaaViewDesc view = *host.view();
     view.pNext = &function;
-    for (const AgaaPrice& price : listPrices(resolveView(&view), host.caps, 2))
+    for (const AgaaPrice& price : listPrices(resolveView(&view, techniques()), host.caps, 2))
         if (std::string(price.name).starts_with("shadow-map-")) {
             EXPECT_EQ(price.isPossible, 1u) << price.reason;
             EXPECT_EQ(price.maxShadowTapsPerEvent, 1);
@@ -436,7 +436,7 @@ TEST(Prices, EffectsThatChangeTheTierSayIt) {
 TEST(Prices, EffectsAsDescribedLeaveThePlanAlone) {
     for (const Host& described : hosts()) {
         Host host = described;
-        const ViewSettings view = resolveView(host.view());
+        const ViewSettings view = resolveView(host.view(), techniques());
         const std::string plan = planToJson(makePlan(view, host.caps, 2));
         for (const Effect& effect : effects()) {
             if (std::string(effect.name).starts_with("shadow-map-"))

@@ -23,7 +23,7 @@ Plan planOf(const std::function<void(const Group&)>& change = {}, bool writes = 
     view.width = view.height = 64;
     view.config = &config;
     view.facts = &facts;
-    PlanBuilder b(resolveForDevice(resolveView(&view), idealDevice()), idealDevice(), 2);
+    PlanBuilder b(resolveForDevice(resolveView(&view, techniques()), idealDevice(), techniques()), idealDevice(), 2);
     const ResourceId words = b.pixelBuffer("words", 4);
     b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
     const auto first = uint32_t(b.plan.passes.size());
@@ -65,8 +65,8 @@ TEST(Repeats, GroupsThatEndHoldWhatCanBeSkipped) {
     const auto draw = [](bool clears) {
         return [clears](const Group& group) {
             Pass& pass = group.builder.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
-            pass.draw.colorTargets = {group.builder.image("color", Format::RGBA8, false)};
-            pass.draw.clearsColor = clears;
+            pass.draw().colorTargets = {group.builder.image("color", Format::RGBA8, false)};
+            pass.draw().clearsColor = clears;
         };
     };
     EXPECT_EQ(planOf(draw(false)).passes.size(), 4u);

@@ -20,18 +20,18 @@ constexpr uint32_t planWidth = 48, planHeight = 32, planPixels = planWidth * pla
 // A compute pass of this body, with what all of them declare.
 inline Pass& planPass(PlanBuilder& b, const char* name, const std::string& declarations, const std::string& body) {
     Pass& pass = b.compute(name, AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
-    pass.compute.text = "#version 450\nlayout(local_size_x = 64) in;\n#include \"common/bindings.glsl\"\n"
-                        "#include \"common/constants.glsl\"\n#include \"common/frame.glsl\"\n" +
-                        declarations +
-                        "void main() {\n    uint item = (gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x) * 64u + "
-                        "gl_LocalInvocationIndex;\n" +
-                        body + "}\n";
+    pass.compute().text = "#version 450\nlayout(local_size_x = 64) in;\n#include \"common/bindings.glsl\"\n"
+                          "#include \"common/constants.glsl\"\n#include \"common/frame.glsl\"\n" +
+                          declarations +
+                          "void main() {\n    uint item = (gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x) * 64u + "
+                          "gl_LocalInvocationIndex;\n" +
+                          body + "}\n";
     b.bindCommon(pass);
     return pass;
 }
 
 inline void dispatchItems(Pass& pass, uint64_t items) {
-    pass.compute.dispatch = {.kind = DispatchKind::Items, .items = items};
+    pass.compute().dispatch = {.kind = DispatchKind::Items, .items = items};
 }
 
 constexpr const char* wordsText = "layout(std430, AGAA_BINDING_AGGREGATES) buffer Words { uint words[]; };\n";
@@ -60,10 +60,10 @@ inline void buildEndingGroup(PlanBuilder& b) {
     const auto first = uint32_t(b.plan.passes.size());
     Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
     b.bindCommon(draw);
-    draw.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
-    draw.draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
-                     "void agaa_emit(AgaaSurfaceInput s) {\n    if (agaa_hostPixel() == uvec2(0u))\n"
-                     "        atomicAdd(words[0], 1u);\n}\n";
+    draw.draw().state.depthCompare = AGAA_COMPARE_ALWAYS;
+    draw.draw().text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
+                       "void agaa_emit(AgaaSurfaceInput s) {\n    if (agaa_hostPixel() == uvec2(0u))\n"
+                       "        atomicAdd(words[0], 1u);\n}\n";
     b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
     Pass& work = planPass(b, "work", wordsText, "    if (item == 0u)\n        ++words[1];\n");
     dispatchItems(work, 1);
@@ -148,7 +148,7 @@ TYPED_TEST_P(PlanCases, AnEarlierPassSaysHowManyGroups) {
         dispatchItems(say, 8);
         b.bind(say, slot::Fragments, BindingType::StorageBuffer, arguments, true);
         Pass& mark = planPass(b, "mark", wordsText, "    words[item] = item + 1u;\n");
-        mark.compute.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments, .argumentsOffset = 16};
+        mark.compute().dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments, .argumentsOffset = 16};
         bindWords(b, mark, words, true);
         bindWords(b, showPixels(b, wordsText, "vec3(words[item])"), words);
     };
@@ -166,7 +166,7 @@ TYPED_TEST_P(PlanCases, GroupsRepeatUntilABufferEndsThem) {
         b.fill("one group", AGAA_STAGE_OTHER, arguments, AGAA_SEGMENT_SHADING, 1);
         const auto first = uint32_t(b.plan.passes.size());
         Pass& work = planPass(b, "work", wordsText, "    if (item == 0u)\n        ++words[0];\n");
-        work.compute.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
+        work.compute().dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
         bindWords(b, work, words, true);
         Pass& decide = planPass(b, "decide", std::string(wordsText) + argumentsText,
                                 "    if (item != 0u)\n        return;\n    ++words[1];\n"
@@ -209,7 +209,7 @@ TYPED_TEST_P(PlanCases, PassesEndThemselves) {
             std::string(wordsText) + argumentsText + "layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D image;\n",
             "    if (item != 0u)\n        return;\n    if (words[0] == 3u)\n        arguments[0] = 0u;\n"
             "    imageStore(image, ivec2(0), vec4(words[0]));\n");
-        work.compute.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
+        work.compute().dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
         bindWords(b, work, words);
         b.bind(work, slot::Fragments, BindingType::StorageBuffer, arguments, true);
         b.bind(work, slot::Output, BindingType::StorageImage, b.output(), true);
@@ -259,11 +259,11 @@ TYPED_TEST_P(PlanCases, DrawsWithoutDepthAreClearedToColours) {
         const auto first = uint32_t(b.plan.passes.size());
         Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
         b.bindCommon(draw);
-        draw.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
-        draw.draw.state.colorAttachmentCount = 1;
-        draw.draw.colorTargets = {color};
-        draw.draw.clearsColor = true;
-        draw.draw.clear.color[0] = {0.25f, 0.5f, 0.75f, 1.0f};
+        draw.draw().state.depthCompare = AGAA_COMPARE_ALWAYS;
+        draw.draw().state.colorAttachmentCount = 1;
+        draw.draw().colorTargets = {color};
+        draw.draw().clearsColor = true;
+        draw.draw().clear.color[0] = {0.25f, 0.5f, 0.75f, 1.0f};
         setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.view.layout).fields);
         b.plan.repeats.push_back({first, first, 2});
         const std::string textures = "layout(AGAA_BINDING_GBUFFER0) uniform sampler2D nearest;\n"
@@ -303,7 +303,7 @@ TYPED_TEST_P(PlanCases, DrawsWithoutTargetsStore) {
         b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
         Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_SHADING);
         b.bindCommon(draw);
-        draw.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
+        draw.draw().state.depthCompare = AGAA_COMPARE_ALWAYS;
         b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, words, true);
         setRecord(draw, sums);
         const Field& coverage = sums.packing.coverage;
@@ -327,11 +327,11 @@ TYPED_TEST_P(PlanCases, DrawsHaveTextAndBuffersOfTheirOwn) {
         b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING, 5);
         Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
         b.bindCommon(draw);
-        draw.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
-        draw.draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
-                         "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
-                         "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], uint(s.diffuse.x * 8.0));\n}\n";
-        draw.draw.expansionText =
+        draw.draw().state.depthCompare = AGAA_COMPARE_ALWAYS;
+        draw.draw().text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
+                           "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
+                           "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], uint(s.diffuse.x * 8.0));\n}\n";
+        draw.draw().expansionText =
             "vec4 agaa_place(vec4 clip) {\n"
             "    return clip + vec4(32.0 / float(agaa_frame.size.x) * clip.w, 0.0, 0.0, 0.0);\n}\n";
         b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
@@ -358,11 +358,11 @@ TYPED_TEST_P(PlanCases, DrawsAskForConservativeRasterisation) {
             Pass& draw = b.hostDraw(conservative ? "overestimate" : "draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER,
                                     AGAA_SEGMENT_SHADING);
             b.bindCommon(draw);
-            draw.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
-            draw.draw.state.conservative = conservative;
-            draw.draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
-                             "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
-                             "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], 1u);\n}\n";
+            draw.draw().state.depthCompare = AGAA_COMPARE_ALWAYS;
+            draw.draw().state.conservative = conservative;
+            draw.draw().text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
+                               "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
+                               "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], 1u);\n}\n";
             b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
         }
         bindWords(b, showPixels(b, wordsText, "vec3(words[item])"), words);

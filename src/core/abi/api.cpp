@@ -105,25 +105,26 @@ AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config, AgaaA
                                      AgaaMeasurement* measurement) {
     return guarded(Log(), "agaaApplyPreset", [&]() -> AgaaResult {
         require(name, AGAA_ERROR_INVALID_ARGUMENT, "the name is null.");
-        checkOutput(config, configChain());
-        checkOutput(aggregation, configChain());
+        checkOutput(config, configChain(techniques()));
+        checkOutput(aggregation, configChain(techniques()));
         if (measurement)
-            checkOutput(measurement, configChain());
+            checkOutput(measurement, configChain(techniques()));
         applyPreset(name, *config, *aggregation, measurement);
         return AGAA_OK;
     });
 }
 
 AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count, AgaaCapability* capabilities) {
-    return guarded(Log(), "agaaQueryCapabilities",
-                   [&] { return writeStructs(listCapabilities(capsOrIdeal(caps)), count, capabilities); });
+    return guarded(Log(), "agaaQueryCapabilities", [&] {
+        return writeStructs(listCapabilities(techniques(), capsOrIdeal(caps)), count, capabilities);
+    });
 }
 
 AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                      AgaaMemoryReport* outReport, uint32_t* surfaceCount, AgaaSurface* surfaces) {
     return guarded(log, "agaaQueryMemory", [&]() -> AgaaResult {
         require(surfaceCount || !surfaces, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
-        const Plan plan = makePlan(resolveView(view), capsOrIdeal(caps), 2);
+        const Plan plan = makePlan(resolveView(view, techniques()), capsOrIdeal(caps), 2);
         AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
         if (outReport) {
             checkOutput(outReport);
@@ -150,7 +151,7 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
 AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                      AgaaTarget* outTarget) {
     return guarded(log, "agaaQueryTarget", [&]() -> AgaaResult {
-        const ViewSettings settings = resolveView(view);
+        const ViewSettings settings = resolveView(view, techniques());
         checkOutput(outTarget);
         const Plan plan = makePlan(settings, capsOrIdeal(caps), 2); // throws for targets larger than maxImageSize
         AgaaTarget target = AGAA_TARGET_INIT;
@@ -169,14 +170,14 @@ AgaaResult AGAA_CALL agaaQueryPrices(const AgaaViewDesc* view, const AgaaDeviceC
                                      uint32_t* count, AgaaPrice* prices) {
     return guarded(log, "agaaQueryPrices", [&]() -> AgaaResult {
         require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
-        return writeStructs(listPrices(resolveView(view), capsOrIdeal(caps), 2), count, prices);
+        return writeStructs(listPrices(resolveView(view, techniques()), capsOrIdeal(caps), 2), count, prices);
     });
 }
 
 AgaaResult AGAA_CALL agaaObserve(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                  const AgaaFrameStatistics* statistics, AgaaObservation* outObservation) {
     return guarded(log, "agaaObserve", [&]() -> AgaaResult {
-        const ViewSettings settings = resolveView(view);
+        const ViewSettings settings = resolveView(view, techniques());
         const Plan plan = makePlan(settings, capsOrIdeal(caps), 2);
         const AgaaObservation previous = readStruct(outObservation);
         writeStruct(outObservation, observe(observedSettings(settings, plan), readStruct(statistics), previous));
@@ -188,7 +189,7 @@ AgaaResult AGAA_CALL agaaChooseSettings(const AgaaViewDesc* view, const AgaaDevi
                                         const AgaaGoal* goal, const AgaaObservation* observation,
                                         const AgaaChoice* current, AgaaChoice* outChoice) {
     return guarded(log, "agaaChooseSettings", [&]() -> AgaaResult {
-        const ViewSettings settings = resolveView(view);
+        const ViewSettings settings = resolveView(view, techniques());
         const AgaaDeviceCaps device = capsOrIdeal(caps);
         const AgaaGoal known = readStruct(goal);
         const AgaaObservation seen = observation ? readStruct(observation) : AgaaObservation AGAA_OBSERVATION_INIT;
@@ -203,10 +204,10 @@ AgaaResult AGAA_CALL agaaApplyChoice(const AgaaChoice* choice, AgaaConfig* confi
                                      AgaaMeasurement* measurement) {
     return guarded(Log(), "agaaApplyChoice", [&]() -> AgaaResult {
         const AgaaChoice known = readStruct(choice);
-        checkOutput(config, configChain());
-        checkOutput(aggregation, configChain());
+        checkOutput(config, configChain(techniques()));
+        checkOutput(aggregation, configChain(techniques()));
         if (measurement)
-            checkOutput(measurement, configChain());
+            checkOutput(measurement, configChain(techniques()));
         applyChoice(known, *config, *aggregation, measurement);
         return AGAA_OK;
     });
@@ -215,14 +216,14 @@ AgaaResult AGAA_CALL agaaApplyChoice(const AgaaChoice* choice, AgaaConfig* confi
 AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                     size_t* size, char* text) {
     return guarded(log, "agaaPlanToJson", [&]() -> AgaaResult {
-        return writeText(planToJson(makePlan(resolveView(view), capsOrIdeal(caps), 2)), size, text);
+        return writeText(planToJson(makePlan(resolveView(view, techniques()), capsOrIdeal(caps), 2)), size, text);
     });
 }
 
 AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                           size_t* size, char* text) {
     return guarded(log, "agaaGetAggregateGlsl", [&]() -> AgaaResult {
-        return writeText(aggregateGlsl(makePlan(resolveView(view), capsOrIdeal(caps), 2)), size, text);
+        return writeText(aggregateGlsl(makePlan(resolveView(view, techniques()), capsOrIdeal(caps), 2)), size, text);
     });
 }
 

@@ -16,17 +16,17 @@ AgaaResult writeDrawPasses(const ViewState& view, uint32_t* count, AgaaDrawPass*
         uint32_t next = 0;
         for (size_t i = 0; i < view.plan.passes.size(); ++i) {
             const Pass& pass = view.plan.passes[i];
-            if (pass.kind != PassKind::HostDraw)
+            if (pass.kind() != PassKind::HostDraw)
                 continue;
             AgaaDrawPass out = AGAA_DRAW_PASS_INIT;
-            out.pass = pass.draw.id;
+            out.pass = pass.draw().id;
             out.stage = pass.stage;
             out.name = pass.name.c_str();
-            out.width = pass.draw.width;
-            out.height = pass.draw.height;
+            out.width = pass.draw().width;
+            out.height = pass.draw().height;
             out.scaleX = view.plan.view.scaleX;
             out.scaleY = view.plan.view.scaleY;
-            out.state = pass.draw.state;
+            out.state = pass.draw().state;
             describeHostPass(view.hostPasses[i], out);
             AgaaDrawPass* element = elementOf(passes, next++);
             if (void* native = nativePart(element, view.drawPassRow()))

@@ -12,7 +12,7 @@ ViewSettings withSettings(ViewSettings view, const ChoiceRow& row) {
     require(view.samplePositions.empty() || row.samples == view.samples, AGAA_ERROR_UNSUPPORTED,
             "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
     applySettings(row, view.config, view.aggregation, &view.measurement);
-    view.technique = row.technique;
+    view.technique = findTechnique(techniques(), row.technique);
     setCounts(view, row.samples, view.config.aggregates);
     return view;
 }

@@ -15,10 +15,6 @@ void checkTail(const void* structure, size_t from, size_t to, const char* name) 
                                             name, i, AGAA_VERSION_MAJOR, AGAA_VERSION_MINOR, AGAA_VERSION_PATCH));
 }
 
-// The sizes of the structs in arrays depend on the host's version, so that only the host can set them.
-template <class T> void leaveToHost(T&) {}
-void leaveToHost(AgaaFrame& frame) { frame.lightSize = frame.shadowSize = 0; }
-
 const AgaaStructHeader* next(const AgaaStructHeader* header) {
     return static_cast<const AgaaStructHeader*>(header->pNext);
 }
@@ -112,33 +108,3 @@ void initialise(void* structure, size_t structSize, const void* initial, size_t 
 }
 
 } // namespace agaa
-
-using namespace agaa;
-
-extern "C" {
-
-#define AGAA_STRUCT(Name, TYPE, bytes)                                                                                 \
-    void AGAA_CALL agaaInit##Name(Agaa##Name* structure, size_t structSize) {                                          \
-        Agaa##Name initial = StructOf<Agaa##Name>::initial();                                                          \
-        initial.structSize = uint32_t(structSize);                                                                     \
-        leaveToHost(initial);                                                                                          \
-        initialise(structure, structSize, &initial, sizeof initial);                                                   \
-    }
-#include "core/base/structs.inc"
-
-void AGAA_CALL agaaInitLayoutAttribute(AgaaLayoutAttribute* attribute) {
-    const AgaaLayoutAttribute initial = AGAA_LAYOUT_ATTRIBUTE_INIT;
-    initialise(attribute, sizeof initial, &initial, sizeof initial);
-}
-
-void AGAA_CALL agaaInitLight(AgaaLight* light, size_t structSize) {
-    const AgaaLight initial = AGAA_LIGHT_INIT;
-    initialise(light, structSize, &initial, sizeof initial);
-}
-
-void AGAA_CALL agaaInitShadow(AgaaShadow* shadow, size_t structSize) {
-    const AgaaShadow initial = AGAA_SHADOW_INIT;
-    initialise(shadow, structSize, &initial, sizeof initial);
-}
-
-} // extern "C"

@@ -1,8 +1,7 @@
 // Versioned structs. Hosts may have been compiled against another version of the headers.
 #pragma once
 
-#include "agaa_gl.h"
-#include "agaa_vk.h"
+#include "agaa_sdk.h"
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -20,8 +19,9 @@ struct StructRow {
     size_t firstSize; // in version 0.2; no host has a smaller struct
 };
 
-template <class T> struct StructOf; // the row, and the value of AGAA_…_INIT
-#define AGAA_STRUCT(Name, TYPE, bytes)                                                                                 \
+// The row, and the value of AGAA_…_INIT. gl/structs.h and vk/structs.h have the rows of the graphics APIs.
+template <class T> struct StructOf;
+#define AGAA_STRUCT_ROW(Name, TYPE, bytes)                                                                             \
     template <> struct StructOf<Agaa##Name> {                                                                          \
         static constexpr StructRow row = {AGAA_STRUCTURE_TYPE_##TYPE, "Agaa" #Name, sizeof(Agaa##Name), bytes};        \
         static Agaa##Name initial() {                                                                                  \
@@ -30,6 +30,7 @@ template <class T> struct StructOf; // the row, and the value of AGAA_…_INIT
         }                                                                                                              \
         static_assert(sizeof(Agaa##Name) >= bytes, "structs grow at their end");                                       \
     };
+#define AGAA_STRUCT AGAA_STRUCT_ROW
 #include "core/base/structs.inc"
 
 // They throw Error if a host's struct is null, of another type, too small, or has data after the members of the row.

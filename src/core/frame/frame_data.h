@@ -18,7 +18,7 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame, const Sa
 uint32_t constantVectors(const Plan& plan);
 std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants);
 // Writes the contents of an upload buffer and returns their size in bytes. destination must be as large as the
-// resource.
+// resource. Each byte is written once and none is read, because the memory may be write-combined.
 uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame, const SamplePositions& positions,
                      const CounterBuffer* newest, void* destination);
 

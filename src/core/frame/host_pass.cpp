@@ -7,10 +7,10 @@ namespace agaa {
 
 std::vector<ColorAttachment> colorAttachments(const Plan& plan, const Pass& pass) {
     std::vector<ColorAttachment> attachments;
-    for (size_t i = 0; i < pass.draw.colorTargets.size(); ++i) {
-        const ResourceId target = pass.draw.colorTargets[i];
+    for (size_t i = 0; i < pass.draw().colorTargets.size(); ++i) {
+        const ResourceId target = pass.draw().colorTargets[i];
         for (uint32_t layer = 0; layer < plan.resources[target].layers; ++layer)
-            attachments.push_back({target, layer, plan.resources[target].format, pass.draw.clear.color[i]});
+            attachments.push_back({target, layer, plan.resources[target].format, pass.draw().clear.color[i]});
     }
     return attachments;
 }
@@ -30,12 +30,12 @@ AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& ho
     AgaaDrawTarget target{};
     target.sType = AGAA_STRUCTURE_TYPE_DRAW_TARGET;
     target.structSize = sizeof target;
-    target.pass = pass.draw.id;
-    target.width = pass.draw.width;
-    target.height = pass.draw.height;
+    target.pass = pass.draw().id;
+    target.width = pass.draw().width;
+    target.height = pass.draw().height;
     target.scaleX = plan.view.scaleX;
     target.scaleY = plan.view.scaleY;
-    target.state = pass.draw.state;
+    target.state = pass.draw().state;
     target.pipelineKey = hostPass.pipelineKey;
     target.batch = step.batch;
     return target;

@@ -15,7 +15,7 @@ struct ColorAttachment {
     ResourceId resource = noResource;
     uint32_t layer = 0;
     Format format = Format::None;
-    std::array<float, 4> clear{}; // read only if Pass::clearsColor
+    std::array<float, 4> clear{}; // read only if DrawPart::clearsColor
 };
 
 // Data of a host pass that does not depend on the graphics API. makeHostPasses() (core/glsl/host_glsl.h) creates it.

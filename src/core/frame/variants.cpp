@@ -9,16 +9,17 @@
 namespace agaa {
 
 static bool haveEqualPrograms(const Pass& a, const Pass& b) {
-    return a.constants == b.constants && a.compute.shader == b.compute.shader &&
-           a.compute.defines == b.compute.defines && a.compute.text == b.compute.text &&
-           a.compute.hostCode == b.compute.hostCode && a.compute.hostCodeExtensions == b.compute.hostCodeExtensions;
+    const ComputePart &first = a.compute(), &second = b.compute();
+    return a.constants == b.constants && first.shader == second.shader && first.defines == second.defines &&
+           first.text == second.text && first.hostCode == second.hostCode &&
+           first.hostCodeExtensions == second.hostCodeExtensions;
 }
 
 bool isVariantOf(const Plan& plan, const Plan& base) {
     return plan.resources == base.resources &&
            std::ranges::equal(plan.passes, base.passes, [](const Pass& a, const Pass& b) {
-               return a.name == b.name && a.kind == b.kind && a.bindings == b.bindings &&
-                      a.compute.dispatch == b.compute.dispatch;
+               return a.name == b.name && a.kind() == b.kind() && a.bindings == b.bindings &&
+                      (a.kind() != PassKind::Compute || a.compute().dispatch == b.compute().dispatch);
            });
 }
 
@@ -59,7 +60,7 @@ void Variants::add(const Plan& plan, const Compile& compile) {
     variant->programs.resize(plan.passes.size());
     for (size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
-        if (pass.kind != PassKind::Compute)
+        if (pass.kind() != PassKind::Compute)
             continue;
         uint64_t& program = variant->programs[i];
         program = find(pass, i);

@@ -14,11 +14,6 @@ ViewState::ViewState(AgaaContext_T& context, Plan framePlan)
     : owner(context), plan(std::move(framePlan)), steps(plan.steps()), sequence(context.framesInFlight),
       ran_(context.framesInFlight) {
     require(plan.runnable, AGAA_ERROR_UNSUPPORTED, "this plan is a model that can be priced but not run.");
-    uint64_t largest = 0;
-    for (const Resource& resource : plan.resources)
-        if (resource.content != UploadContent::None)
-            largest = std::max(largest, resource.bytes);
-    upload_.resize(largest);
     ++owner.viewCount;
 }
 
@@ -67,8 +62,8 @@ void ViewState::uploadFrame(const AgaaFrame& frame, uint32_t slot) {
         if (resource.content == UploadContent::None || !(resource.segments & frame.segments))
             continue;
         const uint64_t bytes =
-            writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr, upload_.data());
-        writeBuffer(id, slot, std::span(upload_).first(bytes));
+            writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr, beginUpload(id, slot));
+        endUpload(id, slot, bytes);
     }
 }
 

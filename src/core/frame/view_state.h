@@ -72,8 +72,11 @@ public:
 protected:
     // Compiles a compute pass, which has the bindings of plan.passes[index].
     virtual Compiled compile(const Pass& pass, size_t index) = 0;
-    // Copies data to the beginning of an upload buffer.
-    virtual void writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) = 0;
+    // Returns memory for the contents of an upload buffer, until endUpload(). The memory may be write-combined: the
+    // caller writes each byte at most once and reads none.
+    virtual std::byte* beginUpload(ResourceId buffer, uint32_t slot) = 0;
+    // Ends the upload of this buffer. bytes: the number of bytes that were written, from the beginning.
+    virtual void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) = 0;
     // Copies the bytes from offset on out of a buffer that the CPU can read.
     virtual void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const = 0;
 
@@ -87,7 +90,6 @@ protected:
     void recorded(const AgaaFrame& frame); // remembers its variant
 
 private:
-    std::vector<std::byte> upload_;    // as large as the largest upload buffer
     const Variant* chosen_ = nullptr;  // of the frame that is being recorded
     const Variant* running_ = nullptr; // of the frame that was recorded last
     std::vector<const Variant*> ran_;  // by slot

@@ -12,7 +12,7 @@ namespace agaa {
 std::string aggregateGlsl(const Plan& plan) {
     const Pass* shade = nullptr;
     for (const Pass& pass : plan.passes)
-        if (pass.compute.shadesAggregates)
+        if (pass.kind() == PassKind::Compute && pass.compute().shadesAggregates)
             shade = &pass;
     // Surfaces of "sbaa" have records in addition to their words.
     require(shade && shade->constants[AGAA_STRIDE] == shade->constants[AGAA_WORDS], AGAA_ERROR_UNSUPPORTED,

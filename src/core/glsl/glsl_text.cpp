@@ -66,22 +66,22 @@ std::string coverageGlsl() {
 static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,
                             const std::string& head) {
     std::string text;
-    if (pass.compute.text.empty())
-        appendGlsl(text, pass.compute.file, seen, pass.compute.hostCode);
+    if (pass.compute().text.empty())
+        appendGlsl(text, pass.compute().file, seen, pass.compute().hostCode);
     else
-        appendLines(text, pass.compute.text, "", seen, pass.compute.hostCode);
+        appendLines(text, pass.compute().text, "", seen, pass.compute().hostCode);
     // #version must be the first line.
     const std::string_view line = "#version 450\n";
     const size_t at = text.find(line);
     if (at == std::string::npos)
         fail(AGAA_ERROR_INTERNAL, "the pass " + pass.name + " has no version.");
-    return text.replace(at, line.size(), version + pass.compute.hostCodeExtensions + head);
+    return text.replace(at, line.size(), version + pass.compute().hostCodeExtensions + head);
 }
 
-std::string passGlsl(const Pass& pass) { return assemble(pass, {}, "#version 450\n", pass.compute.defines); }
+std::string passGlsl(const Pass& pass) { return assemble(pass, {}, "#version 450\n", pass.compute().defines); }
 
 std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion) {
-    std::string head = "#define AGAA_GL 1\n#define AGAA_CONSTANTS_GLSL\n" + pass.compute.defines;
+    std::string head = "#define AGAA_GL 1\n#define AGAA_CONSTANTS_GLSL\n" + pass.compute().defines;
 #define AGAA_CONSTANT(id, name, value) head += format("const uint %s = %uu;\n", #name, pass.constants[id]);
 #include "shaders/tables/constants.inc"
 #undef AGAA_CONSTANT

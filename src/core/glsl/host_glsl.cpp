@@ -30,12 +30,12 @@ std::string fields(const Constants& constants) {
     return out;
 }
 
-bool mergesInOrder(const Pass& pass) { return pass.draw.fragmentContent == FragmentContent::Merged; }
-bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && pass.draw.state.readsAttachments; }
+bool mergesInOrder(const Pass& pass) { return pass.draw().fragmentContent == FragmentContent::Merged; }
+bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && pass.draw().state.readsAttachments; }
 
 // Declares attachments that the shader reads and writes. They form one array of words, attachment by attachment.
 std::string fetchedTargets(const Pass& pass, const HostDialect& dialect) {
-    const uint32_t attachments = pass.draw.state.colorAttachmentCount;
+    const uint32_t attachments = pass.draw().state.colorAttachmentCount;
     std::string out, fetch = "    uvec4 held;\n", store;
     if (!dialect.openGl)
         out +=
@@ -58,7 +58,7 @@ std::string fetchedTargets(const Pass& pass, const HostDialect& dialect) {
 
 std::string outputs(const Pass& pass, const HostDialect& dialect) {
     std::string out;
-    for (size_t i = 0; i < pass.draw.colorTargets.size() && !mergesInTargets(pass); ++i)
+    for (size_t i = 0; i < pass.draw().colorTargets.size() && !mergesInTargets(pass); ++i)
         out += dialect.hostOutputs ? format("vec4 agaa_out%zu;\n", i)
                                    : format("layout(location = %zu) out vec4 agaa_out%zu;\n", i, i);
     return out;
@@ -83,7 +83,7 @@ std::string storeAttachments(const Pass& pass) {
 #include "shaders/tables/channels.inc"
     };
     std::string out = "void agaa_store(agaa_Stored v) {\n";
-    for (size_t i = 0; i < pass.draw.colorTargets.size(); ++i) {
+    for (size_t i = 0; i < pass.draw().colorTargets.size(); ++i) {
         std::string components[4] = {"0.0", "0.0", "0.0", "0.0"};
         for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
             const uint32_t source = pass.constants[AGAA_SOURCE_DIFFUSE_R + channel];
@@ -127,9 +127,9 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
 }
 
 bool needsMaterial(const Pass& pass) {
-    if (pass.draw.id == AGAA_DRAW_PASS_FRAGMENTS)
-        return pass.draw.fragmentContent != FragmentContent::Ids;
-    return pass.draw.id != AGAA_DRAW_PASS_VISIBILITY;
+    if (pass.draw().id == AGAA_DRAW_PASS_FRAGMENTS)
+        return pass.draw().fragmentContent != FragmentContent::Ids;
+    return pass.draw().id != AGAA_DRAW_PASS_VISIBILITY;
 }
 
 // Returns the macros of passes that pack attributes (aggregate/packing.glsl).
@@ -146,9 +146,9 @@ std::string packing(const Constants& c) {
 std::string facts(const Pass& pass) {
     const Constants& c = pass.constants;
     const uint64_t ofLights = AGAA_FACT_NO_LOCAL_LIGHTS;
-    const uint64_t read = c[AGAA_CHECK_FACTS]                      ? ~UINT64_C(0)
-                          : pass.draw.id == AGAA_DRAW_PASS_FORWARD ? commonValues
-                                                                   : commonValues & ~ofLights;
+    const uint64_t read = c[AGAA_CHECK_FACTS]                        ? ~UINT64_C(0)
+                          : pass.draw().id == AGAA_DRAW_PASS_FORWARD ? commonValues
+                                                                     : commonValues & ~ofLights;
     const auto valueIf = [&](uint64_t fact, Constant value) {
         return c[AGAA_CHECK_FACTS] || c[AGAA_FACTS] & fact ? c[value] : 0u;
     };
@@ -169,7 +169,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_CONSTANT_VECTORS", constantVectors(plan));
     // Helper invocations never store anything. The macro only saves work.
     out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n" : "#define AGAA_HELPER false\n";
-    defineSwitch(out, "AGAA_PASS", pass.draw.id);
+    defineSwitch(out, "AGAA_PASS", pass.draw().id);
     defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(pass));
     defineSwitch(out, "AGAA_SAMPLES", plan.view.samples);
     defineSwitch(out, "AGAA_HW_SAMPLES", plan.view.hwSamples);
@@ -181,11 +181,11 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     defineSwitch(out, "AGAA_FAR_DEPTH", c[AGAA_FAR_DEPTH]);
     out += facts(pass);
     defineSwitch(out, "AGAA_SHOWS_FACTS", c[AGAA_DEBUG_VIEW] == AGAA_DEBUG_VIEW_FACTS);
-    if (pass.draw.id == AGAA_DRAW_PASS_AGGREGATE) {
+    if (pass.draw().id == AGAA_DRAW_PASS_AGGREGATE) {
         out += format("#define AGAA_TARGET_TEXTURE %s\n", plan.view.hwSamples > 1 ? "sampler2DMS" : "sampler2D");
         defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.view.aggregates, 1u));
-        defineSwitch(out, "AGAA_PER_SAMPLE", pass.draw.state.sampleShading);
-        defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.draw.extensions.empty());
+        defineSwitch(out, "AGAA_PER_SAMPLE", pass.draw().state.sampleShading);
+        defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.draw().extensions.empty());
         defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
                      (plan.view.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING) != 0);
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
@@ -196,7 +196,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
         out += packing(c);
     }
-    const bool hasCorners = pass.draw.id == AGAA_DRAW_PASS_FRAGMENTS;
+    const bool hasCorners = pass.draw().id == AGAA_DRAW_PASS_FRAGMENTS;
     defineSwitch(out, "AGAA_HAS_CORNERS", hasCorners);
     if (hasCorners) {
         defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.view.clipZFromMinusOne);
@@ -217,11 +217,11 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         define(out, "AGAA_MERGE_RULE", c[AGAA_MERGE_RULE]);
     }
-    defineSwitch(out, "AGAA_FIRST_PASS", pass.draw.clearsDepth);
-    if (pass.draw.id == AGAA_DRAW_PASS_GBUFFER)
+    defineSwitch(out, "AGAA_FIRST_PASS", pass.draw().clearsDepth);
+    if (pass.draw().id == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
     out += customGlsl(plan.view.layout);
-    const bool writesIds = pass.draw.sampleContent == SampleContent::Id;
+    const bool writesIds = pass.draw().sampleContent == SampleContent::Id;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
     if (writesIds || (hasCorners && plan.view.maxDraws)) {
         defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.view.someUnfetched);
@@ -229,9 +229,9 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_MAX_PRIMITIVES", plan.view.maxPrimitives);
         define(out, "AGAA_PRIMITIVE_BITS", plan.view.primitiveBits);
     }
-    if (pass.draw.id == AGAA_DRAW_PASS_VISIBILITY)
-        defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.draw.colorTargets.empty() && !writesIds);
-    if (pass.draw.id == AGAA_DRAW_PASS_FORWARD)
+    if (pass.draw().id == AGAA_DRAW_PASS_VISIBILITY)
+        defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.draw().colorTargets.empty() && !writesIds);
+    if (pass.draw().id == AGAA_DRAW_PASS_FORWARD)
         out += lightingDefines(plan, pass, dialect);
     return out;
 }
@@ -254,9 +254,9 @@ std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
     }
     if (dialect.glslVersion < 430 && !dialect.storageImages)
         extension("ARB_shader_storage_buffer_object");
-    for (const std::string& name : pass.draw.extensions)
+    for (const std::string& name : pass.draw().extensions)
         extension(name.c_str());
-    if (dialect.openGl && pass.draw.state.readsAttachments)
+    if (dialect.openGl && pass.draw().state.readsAttachments)
         extension("EXT_shader_framebuffer_fetch");
     return out;
 }
@@ -270,9 +270,9 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
           "math/depth.glsl", "math/metadata.glsl", "math/sbaa_records.glsl", "common/stored.glsl",
           "common/scene_facts.glsl", "host/surface.glsl", "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
-    if (!pass.draw.text.empty())
-        return out + pass.draw.text;
-    switch (pass.draw.id) {
+    if (!pass.draw().text.empty())
+        return out + pass.draw().text;
+    switch (pass.draw().id) {
     case AGAA_DRAW_PASS_VISIBILITY:
         appendGlsl(out, "host/ids.glsl", seen);
         appendGlsl(out, "host/visibility.glsl", seen);
@@ -308,21 +308,21 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
 }
 
 static std::string expansion(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    if (pass.draw.expansionText.empty())
+    if (pass.draw().expansionText.empty())
         return {};
     std::set<std::string> seen;
     std::string out = defines(plan, pass, dialect) + bindingDefines(dialect);
     appendGlsl(out, "common/frame.glsl", seen);
-    appendGlslText(out, pass.draw.expansionText, seen);
+    appendGlslText(out, pass.draw().expansionText, seen);
     return out;
 }
 
 std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    return pass.draw.state.vertexPulling ? std::string() : expansion(plan, pass, dialect);
+    return pass.draw().state.vertexPulling ? std::string() : expansion(plan, pass, dialect);
 }
 
 std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    return pass.draw.state.vertexPulling ? expansion(plan, pass, dialect) : std::string();
+    return pass.draw().state.vertexPulling ? expansion(plan, pass, dialect) : std::string();
 }
 
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
@@ -333,14 +333,14 @@ uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dial
             key = (key ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
     };
     const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
-    mixValue(uint32_t(pass.draw.id));
-    mix(&pass.draw.state, sizeof pass.draw.state);
+    mixValue(uint32_t(pass.draw().id));
+    mix(&pass.draw().state, sizeof pass.draw().state);
     const std::string text =
         hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect) + expansion(plan, pass, dialect);
     mix(text.data(), text.size());
-    for (ResourceId target : pass.draw.colorTargets)
+    for (ResourceId target : pass.draw().colorTargets)
         mixValue(uint32_t(plan.resources[target].format));
-    mixValue(pass.draw.depthTarget != noResource ? uint32_t(plan.resources[pass.draw.depthTarget].format) : 0u);
+    mixValue(pass.draw().depthTarget != noResource ? uint32_t(plan.resources[pass.draw().depthTarget].format) : 0u);
     return key;
 }
 
@@ -354,15 +354,15 @@ static HostPass makeHostPass(const Plan& plan, const Pass& pass, const HostDiale
     out.geometry = hostGeometry(plan, pass, dialect);
     out.vertex = hostVertex(plan, pass, dialect);
     out.colors = colorAttachments(plan, pass);
-    if (pass.draw.depthTarget != noResource)
-        out.depthFormat = plan.resources[pass.draw.depthTarget].format;
+    if (pass.draw().depthTarget != noResource)
+        out.depthFormat = plan.resources[pass.draw().depthTarget].format;
     return out;
 }
 
 std::vector<HostPass> makeHostPasses(const Plan& plan, const HostDialect& dialect) {
     std::vector<HostPass> list(plan.passes.size());
     for (size_t i = 0; i < list.size(); ++i)
-        if (plan.passes[i].kind == PassKind::HostDraw)
+        if (plan.passes[i].kind() == PassKind::HostDraw)
             list[i] = makeHostPass(plan, plan.passes[i], dialect);
     return list;
 }

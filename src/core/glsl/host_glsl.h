@@ -1,6 +1,7 @@
 // The GLSL that a host's shaders include for one draw pass, assembled from a plan.
 #pragma once
 
+#include "agaa_gl.h"
 #include "core/frame/host_pass.h"
 #include "core/plan/bindings.h"
 #include "core/plan/plan.h"

@@ -6,8 +6,6 @@
 
 namespace agaa {
 
-// Offsets for blocks of given size, alignment and lifetime so that blocks of disjoint lifetimes may
-// share memory; returns the height of the arena.
 struct ArenaBlock {
     uint64_t size = 0;
     uint64_t alignment = 1;
@@ -15,6 +13,8 @@ struct ArenaBlock {
     uint32_t lastPass = 0;
     uint64_t offset = 0; // out
 };
+// Places blocks so that blocks of disjoint lifetimes may share memory: sets their offsets. Returns the height of the
+// arena.
 uint64_t placeBlocks(std::vector<ArenaBlock>& blocks);
 
 } // namespace agaa

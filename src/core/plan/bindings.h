@@ -1,8 +1,6 @@
 // Bindings of resources, from src/shaders/tables/bindings.inc.
 #pragma once
 
-#include "agaa_gl.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -51,10 +49,7 @@ template <size_t count> constexpr bool isInOrder(const BindingRow (&table)[count
     return std::ranges::all_of(table, [&](const BindingRow& row) { return &row == &table[row.slot]; });
 }
 static_assert(isInOrder(bindingTable) && isInOrder(hostBindingTable), "slots count from 0, each once");
-static_assert(hostBindingCount == AGAA_GL_BINDING_COUNT);
 // The slot of Vulkan's array of input attachments, after all others.
 inline constexpr uint32_t fetchedTargetsSlot = hostBindingCount;
-#define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) static_assert(AGAA_GL_BINDING_##macro == slot);
-#include "shaders/tables/bindings.inc"
 
 } // namespace agaa

@@ -1,8 +1,8 @@
 #include "core/plan/plan.h"
 
-#include "core/plan/arena.h"
 #include "core/base/checked.h"
 #include "core/base/error.h"
+#include "core/plan/arena.h"
 
 #include <algorithm>
 
@@ -39,8 +39,8 @@ uint64_t Plan::peakBytes() const {
 }
 
 uint32_t Plan::geometryPasses() const {
-    return uint32_t(
-        std::count_if(passes.begin(), passes.end(), [](const Pass& pass) { return pass.kind == PassKind::HostDraw; }));
+    return uint32_t(std::count_if(passes.begin(), passes.end(),
+                                  [](const Pass& pass) { return pass.kind() == PassKind::HostDraw; }));
 }
 
 std::pair<uint32_t, uint32_t> Plan::groups(const Dispatch& dispatch) const {
@@ -79,10 +79,10 @@ void checkRepeats(const Plan& plan) {
             continue;
         for (uint32_t i = repeat.firstPass; i <= repeat.lastPass; ++i) {
             const Pass& pass = plan.passes[i];
-            require(pass.kind == PassKind::Compute || pass.kind == PassKind::HostDraw, AGAA_ERROR_INTERNAL,
+            require(pass.kind() == PassKind::Compute || pass.kind() == PassKind::HostDraw, AGAA_ERROR_INTERNAL,
                     "a repetition that ends early fills or copies.");
-            require(!pass.draw.clearsColor && !pass.draw.clearsDepth, AGAA_ERROR_INTERNAL,
-                    "a repetition that ends early clears targets.");
+            require(pass.kind() == PassKind::Compute || (!pass.draw().clearsColor && !pass.draw().clearsDepth),
+                    AGAA_ERROR_INTERNAL, "a repetition that ends early clears targets.");
         }
         const std::vector<Binding>& bindings = plan.passes[repeat.lastPass].bindings;
         require(std::any_of(bindings.begin(), bindings.end(),

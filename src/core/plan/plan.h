@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace agaa {
@@ -79,6 +80,11 @@ struct Resource {
     bool operator==(const Resource&) const = default;
 };
 
+// Returns the element for the frame in this slot. copies: one for each frame in flight, or one that all frames share.
+template <class Copy> Copy copyOfSlot(const std::vector<Copy>& copies, uint32_t slot) {
+    return copies[copies.size() > 1 ? slot : 0];
+}
+
 enum class BindingType {
     UniformBuffer,
     StorageBuffer,
@@ -102,6 +108,7 @@ struct Binding {
 // The largest number of attachments of a draw with AgaaDrawState::readsAttachments.
 inline constexpr uint32_t maxFetchedTargets = 8;
 
+// The values are the indices of the parts in Pass::part.
 enum class PassKind { HostDraw, Compute, Fill, Copy };
 
 // The number of workgroups of a compute pass.
@@ -184,18 +191,23 @@ struct CopyPart {
     ResourceId destination = noResource;
 };
 
-// `kind` says which of the four parts is used; the others have their defaults.
 struct Pass {
     std::string name;
     AgaaStage stage = AGAA_STAGE_OTHER;
-    PassKind kind = PassKind::Compute;
     uint64_t segment = AGAA_SEGMENT_SHADING;
     std::vector<Binding> bindings;
     Constants constants{}; // of compute shaders; the host's shaders get some of them as macros
-    DrawPart draw;
-    ComputePart compute;
-    FillPart fill;
-    CopyPart copy;
+    std::variant<DrawPart, ComputePart, FillPart, CopyPart> part = ComputePart{};
+
+    PassKind kind() const { return PassKind(part.index()); }
+    // The part of a pass of that kind. The functions throw std::bad_variant_access for other kinds.
+    DrawPart& draw() { return std::get<DrawPart>(part); }
+    const DrawPart& draw() const { return std::get<DrawPart>(part); }
+    ComputePart& compute() { return std::get<ComputePart>(part); }
+    const ComputePart& compute() const { return std::get<ComputePart>(part); }
+    FillPart& fill() { return std::get<FillPart>(part); }
+    const FillPart& fill() const { return std::get<FillPart>(part); }
+    const CopyPart& copy() const { return std::get<CopyPart>(part); }
 };
 
 // A range of passes that is repeated. Indirect passes dispatch no groups in iterations without work, which ends a

@@ -116,14 +116,14 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
-    pass.kind = PassKind::HostDraw;
     pass.segment = segment;
-    pass.draw.id = drawPass;
-    pass.draw.state.samples = plan.view.hwSamples;
-    pass.draw.state.colorWriteMask = 0xF;
-    pass.draw.clear.depth = plan.view.reversedZ ? 0.0f : 1.0f;
-    pass.draw.width = scaledWidth();
-    pass.draw.height = scaledHeight();
+    auto& draw = pass.part.emplace<DrawPart>();
+    draw.id = drawPass;
+    draw.state.samples = plan.view.hwSamples;
+    draw.state.colorWriteMask = 0xF;
+    draw.clear.depth = plan.view.reversedZ ? 0.0f : 1.0f;
+    draw.width = scaledWidth();
+    draw.height = scaledHeight();
     pass.constants = constants_;
     plan.passes.push_back(std::move(pass));
     bind(plan.passes.back(), host_slot::Frame, BindingType::UniformBuffer, frameConstants(segment));
@@ -159,14 +159,15 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
-    pass.compute.file = passFile(shader);
-    pass.compute.shader = shader + "_";
+    auto& program = pass.part.emplace<ComputePart>();
+    program.file = passFile(shader);
+    program.shader = shader + "_";
     for (const Switch which : passSwitches(shader)) {
         const auto set = std::ranges::find(switches, which, &SwitchSetting::which);
         const bool isOn = set == switches.end() ? isSwitchedOn(which) : set->isOn;
-        pass.compute.shader += switchLetter(which);
-        pass.compute.shader += isOn ? '1' : '0';
-        pass.compute.defines += format("#define %s %d\n", switchMacro(which), isOn);
+        program.shader += switchLetter(which);
+        program.shader += isOn ? '1' : '0';
+        program.defines += format("#define %s %d\n", switchMacro(which), isOn);
     }
     pass.segment = segment;
     pass.constants = constants_;
@@ -178,10 +179,8 @@ Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destinatio
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
-    pass.kind = PassKind::Fill;
     pass.segment = segment;
-    pass.fill.destination = destination;
-    pass.fill.value = value;
+    pass.part = FillPart{.destination = destination, .value = value};
     plan.passes.push_back(std::move(pass));
     return plan.passes.back();
 }
@@ -211,8 +210,8 @@ ResourceId PlanBuilder::deferredPixels() { return tileBuffer("deferred-pixels", 
 
 // Each workgroup covers side x side tiles of 8x8 pixels.
 static void setRegionSide(Pass& pass, uint32_t side) {
-    pass.compute.dispatch.groupSide = 8 * side;
-    pass.compute.defines += format("#define AGAA_REGION_SIDE %uu\n", side);
+    pass.compute().dispatch.groupSide = 8 * side;
+    pass.compute().defines += format("#define AGAA_REGION_SIDE %uu\n", side);
 }
 
 void PlanBuilder::deferPixels(Pass& pass, ResourceId deferred) {
@@ -247,7 +246,7 @@ ResourceId PlanBuilder::frameConstants(uint64_t segment) {
 }
 
 void PlanBuilder::bindCommon(Pass& pass) {
-    const bool host = pass.kind == PassKind::HostDraw;
+    const bool host = pass.kind() == PassKind::HostDraw;
     if (!host)
         bind(pass, slot::Frame, BindingType::UniformBuffer, frameConstants(pass.segment));
     if (counts())
@@ -257,18 +256,18 @@ void PlanBuilder::bindCommon(Pass& pass) {
 
 // Each text starts at line 1, so that messages of compilers refer to the host's lines.
 void PlanBuilder::addHostCode(Pass& pass, const HostText& text, const char* origin) {
-    pass.compute.hostCode += "#line 1\n" + text.glsl + "\n";
-    pass.compute.hostCodeOrigin +=
-        (pass.compute.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
+    ComputePart& program = pass.compute();
+    program.hostCode += "#line 1\n" + text.glsl + "\n";
+    program.hostCodeOrigin += (program.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
     if (text.extensions.empty())
         return;
-    pass.compute.hostCodeExtensions += "#line 1\n" + text.extensions + "\n#line 100000\n";
-    pass.compute.hostCodeOrigin += " and ::glslExtensions";
+    program.hostCodeExtensions += "#line 1\n" + text.extensions + "\n#line 100000\n";
+    program.hostCodeOrigin += " and ::glslExtensions";
 }
 
 void PlanBuilder::bindHostGBuffer(Pass& pass) {
     addHostCode(pass, plan.view.gbufferFunction, "AgaaGBufferFunction");
-    pass.compute.defines += "#define AGAA_HOST_GBUFFER 1\n" + customGlsl(plan.view.layout);
+    pass.compute().defines += "#define AGAA_HOST_GBUFFER 1\n" + customGlsl(plan.view.layout);
 }
 
 // GPUs hide the latency of fetches by workgroups that share their memory. Lists are short there: one primitive per lane
@@ -289,12 +288,12 @@ uint32_t PlanBuilder::listLength() const {
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
     addHostCode(pass, plan.view.fetchFunction, "AgaaFetchFunction");
-    pass.compute.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
-                                   "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
-                                   plan.view.primitiveBits, plan.view.clipZFromMinusOne, listLength());
-    pass.compute.defines += customGlsl(plan.view.layout);
+    pass.compute().defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
+                                     "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
+                                     plan.view.primitiveBits, plan.view.clipZFromMinusOne, listLength());
+    pass.compute().defines += customGlsl(plan.view.layout);
     if (plan.view.someUnfetched)
-        pass.compute.defines += "#define AGAA_SOME_UNFETCHED 1\n";
+        pass.compute().defines += "#define AGAA_SOME_UNFETCHED 1\n";
 }
 
 ResourceId PlanBuilder::output() {
@@ -320,10 +319,8 @@ void PlanBuilder::copyCounters() {
                                      .copies = framesInFlight_});
     Pass pass;
     pass.name = "read counters";
-    pass.kind = PassKind::Copy;
     pass.segment = AGAA_SEGMENT_SHADING;
-    pass.copy.source = counters_;
-    pass.copy.destination = readback;
+    pass.part = CopyPart{.source = counters_, .destination = readback};
     plan.passes.push_back(std::move(pass));
 }
 

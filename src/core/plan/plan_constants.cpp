@@ -60,11 +60,11 @@ void PlanBuilder::specialiseForVariant() {
     if (plan.view.variantFacts.flags == plan.view.facts.flags && shadows == plan.view.facts.shadowMapCount)
         return;
     for (Pass& pass : plan.passes) {
-        if (pass.kind != PassKind::Compute)
+        if (pass.kind() != PassKind::Compute)
             continue;
         // A pass that is compiled with the view may read any constant.
-        const std::span<const uint32_t> spirv = pass.compute.hostCode.empty() && pass.compute.text.empty()
-                                                    ? embeddedSpirv(pass.compute.shader)
+        const std::span<const uint32_t> spirv = pass.compute().hostCode.empty() && pass.compute().text.empty()
+                                                    ? embeddedSpirv(pass.compute().shader)
                                                     : std::span<const uint32_t>();
         const auto limit = [&](Constant constant, uint32_t value) {
             uint32_t& current = pass.constants[constant];

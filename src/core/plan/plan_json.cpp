@@ -139,14 +139,16 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
     w.open('{');
     w.field("name", pass.name);
     w.field("stage", stageName(pass.stage));
-    w.field("kind", kindName(pass.kind));
+    w.field("kind", kindName(pass.kind()));
     w.field("segment", pass.segment);
-    if (!pass.compute.shader.empty())
-        w.field("shader", pass.compute.shader);
-    if (pass.compute.dispatch.kind == DispatchKind::Items)
-        w.field("items", pass.compute.dispatch.items);
-    if (pass.compute.dispatch.kind == DispatchKind::Indirect)
-        w.field("groupsFrom", plan.resources[pass.compute.dispatch.arguments].name);
+    if (pass.kind() == PassKind::Compute) {
+        const Dispatch& dispatch = pass.compute().dispatch;
+        w.field("shader", pass.compute().shader);
+        if (dispatch.kind == DispatchKind::Items)
+            w.field("items", dispatch.items);
+        if (dispatch.kind == DispatchKind::Indirect)
+            w.field("groupsFrom", plan.resources[dispatch.arguments].name);
+    }
     for (const Repeat& repeat : plan.repeats)
         if (index >= repeat.firstPass && index <= repeat.lastPass)
             w.field("times", repeat.times);
@@ -159,11 +161,12 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
                 w.value(plan.resources[access.resource].name);
         w.close(']');
     }
-    w.strings("extensions", pass.draw.extensions);
-    if (pass.kind == PassKind::HostDraw) {
-        w.field("stencilTest", pass.draw.state.stencilTest != 0);
-        w.field("readsAttachments", pass.draw.state.readsAttachments != 0);
-        w.field("sampleShading", pass.draw.state.sampleShading != 0);
+    const bool isDraw = pass.kind() == PassKind::HostDraw;
+    w.strings("extensions", isDraw ? pass.draw().extensions : std::vector<std::string>());
+    if (isDraw) {
+        w.field("stencilTest", pass.draw().state.stencilTest != 0);
+        w.field("readsAttachments", pass.draw().state.readsAttachments != 0);
+        w.field("sampleShading", pass.draw().state.sampleShading != 0);
     }
     w.close('}');
 }
@@ -173,7 +176,7 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
 std::string planToJson(const Plan& plan) {
     Writer w;
     w.open('{');
-    w.field("technique", plan.view.technique);
+    w.field("technique", plan.view.technique->name);
     w.field("width", plan.view.width);
     w.field("height", plan.view.height);
     w.field("samples", plan.view.samples);

@@ -29,7 +29,7 @@ void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
 }
 
 void PlanBuilder::bindLighting(Pass& pass) {
-    const bool host = pass.kind == PassKind::HostDraw;
+    const bool host = pass.kind() == PassKind::HostDraw;
     require(
         !host || plan.view.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
         "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
@@ -39,7 +39,7 @@ void PlanBuilder::bindLighting(Pass& pass) {
         bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
     bindShadows(pass);
     if (plan.effects.empty())
-        listEffects(plan.view.layout.foldsRoughness() && pass.compute.shadesAggregates);
+        listEffects(plan.view.layout.foldsRoughness() && !host && pass.compute().shadesAggregates);
 }
 
 // Shaders declare all four maps. If the frame lacks one, another is bound in its place and not read.
@@ -52,7 +52,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
             shadowMaps_[i] = add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap, .hostSlot = i});
         anyMap = shadowMaps_[i];
     }
-    const bool host = pass.kind == PassKind::HostDraw;
+    const bool host = pass.kind() == PassKind::HostDraw;
     const uint32_t first = host ? uint32_t(host_slot::Shadow0) : uint32_t(slot::Shadow0);
     for (uint32_t i = 0; anyMap != noResource && i < AGAA_MAX_SHADOW_MAPS; ++i)
         bind(pass, first + i, BindingType::ShadowTexture, shadowMaps_[i] != noResource ? shadowMaps_[i] : anyMap);
@@ -62,8 +62,8 @@ void PlanBuilder::bindShadows(Pass& pass) {
             "AgaaShadowFunction is for techniques that shade in the SDK's passes; this one shades in the "
             "host's.");
     addHostCode(pass, plan.view.shadowFunction, "AgaaShadowFunction");
-    pass.compute.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
-                                   plan.view.functionShadows, anyMap != noResource);
+    pass.compute().defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
+                                     plan.view.functionShadows, anyMap != noResource);
 }
 
 void PlanBuilder::listEffects(bool readsFolded) {

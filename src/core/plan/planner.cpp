@@ -19,8 +19,8 @@ AgaaDeviceCaps idealDevice() {
 }
 
 Plan makePlan(const ViewSettings& settings, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
-    PlanBuilder builder(resolveForDevice(settings, caps), caps, framesInFlight);
-    findTechnique(settings.technique)->build(builder);
+    PlanBuilder builder(resolveForDevice(settings, caps, techniques()), caps, framesInFlight);
+    settings.technique->build(builder);
     return builder.finish();
 }
 

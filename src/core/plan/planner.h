@@ -8,6 +8,9 @@
 
 namespace agaa {
 
+// Returns the rows of all techniques. The functions of view/ get them as an argument.
+TechniqueTable techniques();
+
 // Returns a device with all features, including those of the papers' native paths.
 AgaaDeviceCaps idealDevice();
 

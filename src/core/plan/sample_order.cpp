@@ -6,10 +6,7 @@
 namespace agaa {
 
 std::vector<SamplePosition> positionsOf(const Plan& plan) {
-    const SamplePositions all =
-        plan.view.samplePositions.empty()
-            ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
-            : samplePositions(plan.view.samplePositions);
+    const SamplePositions all = samplePositions(plan.view);
     return {all.begin(), all.begin() + plan.view.samples};
 }
 

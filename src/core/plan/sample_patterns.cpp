@@ -1,5 +1,7 @@
 #include "core/plan/sample_patterns.h"
 
+#include "core/view/resolved_view.h"
+
 namespace agaa {
 
 // The standard sample locations of Vulkan and Direct3D, in sixteenths of a pixel.
@@ -48,6 +50,11 @@ SamplePositions samplePositions(std::span<const float> pairs) {
     for (size_t i = 0; i < positions.size() && 2 * i + 1 < pairs.size(); ++i)
         positions[i] = {pairs[2 * i], pairs[2 * i + 1]};
     return positions;
+}
+
+SamplePositions samplePositions(const ResolvedView& view) {
+    return view.samplePositions.empty() ? samplePositions(standardPositions(view.hwSamples), view.scaleX, view.scaleY)
+                                        : samplePositions(view.samplePositions);
 }
 
 } // namespace agaa

@@ -8,6 +8,8 @@
 
 namespace agaa {
 
+struct ResolvedView;
+
 struct SamplePosition {
     float x, y; // in the pixel, [0;1), y down
 };
@@ -20,5 +22,7 @@ std::vector<SamplePosition> standardPositions(uint32_t hwSamples);
 using SamplePositions = std::array<SamplePosition, 128>;
 SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t scaleX, uint32_t scaleY);
 SamplePositions samplePositions(std::span<const float> pairs); // x, y
+// Returns the samples of the view: those that the host set, or those of a device with the standard locations.
+SamplePositions samplePositions(const ResolvedView& view);
 
 } // namespace agaa

@@ -41,28 +41,35 @@ int64_t checkedSigned(uint64_t number) {
     return int64_t(number);
 }
 
-// Returns the members in which the pipelines of passes differ.
-auto pipelineOf(const Pass& pass) {
-    return std::tie(pass.kind, pass.compute.file, pass.compute.shader, pass.compute.defines, pass.compute.text,
-                    pass.draw.text, pass.compute.hostCode, pass.constants, pass.draw.id, pass.draw.sampleContent,
-                    pass.draw.fragmentContent, pass.draw.expansionText);
+// Return the members in which the pipelines of passes of one kind differ.
+auto pipelineOf(const ComputePart& program, const Constants& constants) {
+    return std::tie(constants, program.file, program.shader, program.defines, program.text, program.hostCode);
+}
+auto pipelineOf(const DrawPart& draw, const Constants& constants) {
+    return std::tie(constants, draw.id, draw.sampleContent, draw.fragmentContent, draw.text, draw.expansionText);
 }
 
 uint64_t pipelineCount(const Plan& plan) {
-    std::set<decltype(pipelineOf(std::declval<const Pass&>()))> different;
-    for (const Pass& pass : plan.passes)
-        if (pass.kind == PassKind::Compute || pass.kind == PassKind::HostDraw)
-            different.insert(pipelineOf(pass));
-    return different.size();
+    std::set<decltype(pipelineOf(ComputePart{}, {}))> programs;
+    std::set<decltype(pipelineOf(DrawPart{}, {}))> draws;
+    for (const Pass& pass : plan.passes) {
+        if (pass.kind() == PassKind::Compute)
+            programs.insert(pipelineOf(pass.compute(), pass.constants));
+        if (pass.kind() == PassKind::HostDraw)
+            draws.insert(pipelineOf(pass.draw(), pass.constants));
+    }
+    return programs.size() + draws.size();
 }
 
 // Returns the bits per sample of all targets of geometry passes.
 uint64_t sampleBits(const Plan& plan) {
     std::set<ResourceId> targets;
     for (const Pass& pass : plan.passes) {
-        targets.insert(pass.draw.colorTargets.begin(), pass.draw.colorTargets.end());
-        if (pass.draw.depthTarget != noResource)
-            targets.insert(pass.draw.depthTarget);
+        if (pass.kind() != PassKind::HostDraw)
+            continue;
+        targets.insert(pass.draw().colorTargets.begin(), pass.draw().colorTargets.end());
+        if (pass.draw().depthTarget != noResource)
+            targets.insert(pass.draw().depthTarget);
     }
     uint64_t bits = 0;
     for (const ResourceId target : targets)
@@ -88,7 +95,7 @@ Traffic trafficOf(const Access& access, const Pass& pass) {
     case Use::CopyTo:
         return {.writes = true};
     case Use::Depth:
-        return {.reads = !pass.draw.clearsDepth, .writes = pass.draw.state.depthWrite != 0};
+        return {.reads = !pass.draw().clearsDepth, .writes = pass.draw().state.depthWrite != 0};
     case Use::Indirect: // both access only a few words
     case Use::Condition:
         break;
@@ -110,8 +117,8 @@ uint64_t trafficBytes(const Plan& plan) {
             const Resource& resource = plan.resources[id];
             if (!resource.isPerPixel())
                 continue;
-            const bool isPart = pass.kind == PassKind::Fill && pass.fill.bytes > 0;
-            const uint64_t bytes = isPart ? pass.fill.bytes : resource.bytes;
+            const bool isPart = pass.kind() == PassKind::Fill && pass.fill().bytes > 0;
+            const uint64_t bytes = isPart ? pass.fill().bytes : resource.bytes;
             total = checkedAdd(total, checkedMultiply(bytes, uint64_t(traffic.reads) + traffic.writes));
         }
     }
@@ -131,7 +138,7 @@ uint64_t tapsOfMap(const Technique& technique, const Plan& plan, const Constants
 
 uint64_t shadowTaps(const Technique& technique, const Plan& plan, uint32_t samples) {
     const auto shades = std::find_if(plan.passes.rbegin(), plan.passes.rend(), [](const Pass& pass) {
-        return pass.kind == PassKind::Compute || pass.kind == PassKind::HostDraw;
+        return pass.kind() == PassKind::Compute || pass.kind() == PassKind::HostDraw;
     });
     if (shades == plan.passes.rend())
         return 0;
@@ -141,7 +148,7 @@ uint64_t shadowTaps(const Technique& technique, const Plan& plan, uint32_t sampl
 }
 
 AgaaPrice priceOf(const Plan& plan) {
-    const Technique& technique = *findTechnique(plan.view.technique);
+    const Technique& technique = *plan.view.technique;
     const ShadingWork work = technique.work(plan.view);
     AgaaPrice price = AGAA_PRICE_INIT;
     price.passes = checkedSigned(plan.passes.size());
@@ -223,7 +230,7 @@ std::vector<uint32_t> aggregateCounts(const Technique& technique, const ViewSett
 void changeSamples(ViewSettings& view, uint32_t samples) {
     require(view.samplePositions.empty() || samples == view.samples, AGAA_ERROR_UNSUPPORTED,
             "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
-    const bool countsCoverage = findTechnique(view.technique)->countsCoverage(view.config.generationTier, samples);
+    const bool countsCoverage = view.technique->countsCoverage(view.config.generationTier, samples);
     require(view.coveragePositions.empty() || samples == view.samples || !countsCoverage, AGAA_ERROR_UNSUPPORTED,
             "AgaaDecoupledCoverage::samplePositions has the positions of the described samples alone.");
     if (!countsCoverage)
@@ -265,7 +272,7 @@ void addSteps(std::vector<AgaaPrice>& list, const Comparison& comparison, const 
 
 std::vector<AgaaPrice> listPrices(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
     const Comparison comparison(view, caps, framesInFlight);
-    const Technique& technique = *findTechnique(view.technique);
+    const Technique& technique = *view.technique;
     std::vector<AgaaPrice> list = {
         named(comparison.view(), {AGAA_PRICE_VIEW, "view", "The numbers are those of the described view."}, true)};
     for (const Effect& effect : effects())

@@ -2,6 +2,7 @@
 
 #include "core/base/checked.h"
 #include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/view/tiers.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const 
             fail(AGAA_ERROR_UNSUPPORTED,
                  format("visibility cannot run: coverage samples of \"%s\" are found by edges, so that "
                         "the tier %s is not for them.",
-                        technique.name, agaaTierName(forced)));
+                        technique.name, tierName(forced)));
         if (!view.coveragePositions.empty())
             view.samplePositions = view.coveragePositions;
         view.notes.push_back("visibility: " + coverageByEdges(view.samples).reason);
@@ -88,7 +89,8 @@ uint64_t aggregateBytes(const ResolvedView& view) {
     return checkedMultiply(uint64_t(view.width) * view.height, 4 * words * view.aggregates + view.claimBytes());
 }
 
-void chooseGenerationTier(ResolvedView& view, const Technique& technique, const AgaaDeviceCaps& caps) {
+void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, TechniqueTable table) {
+    const Technique& technique = *view.technique;
     if (technique.tiers.empty())
         return;
     const AgaaConfig& config = view.config;
@@ -105,7 +107,7 @@ void chooseGenerationTier(ResolvedView& view, const Technique& technique, const 
     // The other tiers shade at once, without aggregates in memory.
     if (technique.groupsSamples && !query.coverageSamples && !(config.flags & AGAA_CONFIG_BUFFERED))
         query.aggregateBytes = aggregateBytes(view);
-    const GenerationChoice choice = chooseGeneration(technique, query, config.generationTier);
+    const GenerationChoice choice = chooseGeneration(table, technique, query, config.generationTier);
     if (!choice.row)
         fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
     view.generation = choice.row;
@@ -149,13 +151,13 @@ void setSurfaceDefaults(ViewSettings& view, float cosine, float distance, float 
     set(view.config.surfaceMaterial, material);
 }
 
-ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps& caps) {
+ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps& caps, TechniqueTable table) {
     ResolvedView view(settings);
-    const Technique& technique = *findTechnique(view.technique);
+    const Technique& technique = *view.technique;
     stripUnusedFeatures(view, technique);
     checkFacts(view, technique);
     chooseVisibilityTier(view, technique, caps);
-    chooseGenerationTier(view, technique, caps);
+    chooseGenerationTier(view, caps, table);
     checkTierOptions(view, technique);
     require(!view.hasCounters() || caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");

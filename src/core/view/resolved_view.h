@@ -31,8 +31,8 @@ struct ResolvedView : ViewSettings {
     uint64_t claimBytes() const { return measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }
 };
 
-// Throws Error if the device cannot run the view; the message says why.
-ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps& caps);
+// Throws Error if the device cannot run the view; the message says why, and names other techniques of the table.
+ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps& caps, TechniqueTable table);
 
 // Sets the limits within which fragments count as one surface, except those that the host set: the lowest cosine
 // between normals, the distance in pixels and the difference of materials in [0;1].

@@ -1,8 +1,9 @@
-// The interface of techniques. Each is a row of a table; src/core/plan/techniques/ has the rows.
+// The interface of techniques. Each is a row of a table; src/core/plan/techniques/ has the rows. Their functions build
+// plans, so that they are defined later than this folder. Functions of this folder that look through all rows get the
+// table as an argument; planner.h returns it.
 #pragma once
 
 #include "agaa_sdk.h"
-
 #include "core/view/facts.h"
 
 #include <cstddef>
@@ -81,7 +82,7 @@ struct Technique {
     std::span<const GenerationTier* const> tiers = {}; // of materials, in the order in which AUTO prefers them
     std::span<const TechniqueSettings* const> settings = {};
     void (*build)(PlanBuilder& builder);
-    // Gets the settings of a plan.
+    // Returns the bounds for settings that a plan resolved.
     ShadingWork (*work)(const ViewSettings& view);
 
     // Sets defaults of the technique and checks what its row cannot express, after the tiers are chosen. Throws Error.
@@ -99,11 +100,14 @@ struct Technique {
     // Returns whether n may be gridOnlySamples. Sums of aggregates need powers of two.
     bool allowsGridOnlySamples() const { return maxAggregates == 0; }
 };
-const std::vector<const Technique*>& techniques();
-const Technique* findTechnique(std::string_view name); // null if there is none
+
+// All rows, in static storage.
+using TechniqueTable = std::span<const Technique* const>;
+
+const Technique* findTechnique(TechniqueTable table, std::string_view name); // null if there is none
 
 // Returns the types of settings that may be chained to AgaaConfig, those of all techniques. A host may chain multiple
 // ones.
-std::vector<uint32_t> settingsTypes();
+std::vector<uint32_t> settingsTypes(TechniqueTable table);
 
 } // namespace agaa

@@ -2,6 +2,7 @@
 
 #include "core/base/arguments.h"
 #include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/view/technique.h"
 #include "core/view/view_settings.h"
 
@@ -62,7 +63,7 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
             return choice;
     }
     if (isGridOnly) {
-        choice.reason = format("the tier %s has no %u samples per pixel.", agaaTierName(forced), samples);
+        choice.reason = format("the tier %s has no %u samples per pixel.", tierName(forced), samples);
         return choice;
     }
     if (forced == AGAA_TIER_NATIVE || forced == AGAA_TIER_AUTO) {
@@ -78,7 +79,7 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
     }
     if (forced == AGAA_TIER_SCALED_TARGET || forced == AGAA_TIER_AUTO)
         return scaledTarget(caps, samples);
-    choice.reason = format("the tier %s is not built for visibility.", agaaTierName(forced));
+    choice.reason = format("the tier %s is not built for visibility.", tierName(forced));
     return choice;
 }
 
@@ -90,16 +91,17 @@ VisibilityChoice coverageByEdges(uint32_t samples) {
 }
 
 // Returns the names of the techniques that have the tier.
-static std::string owners(uint32_t tier) {
+static std::string techniquesWith(TechniqueTable table, uint32_t tier) {
     std::string names;
-    for (const Technique* technique : techniques())
+    for (const Technique* technique : table)
         for (const GenerationTier* row : technique->tiers)
             if (row->tier == AgaaTier(tier))
                 names += (names.empty() ? "\"" : ", \"") + std::string(technique->name) + "\"";
     return names;
 }
 
-GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery query, uint32_t forced) {
+GenerationChoice chooseGeneration(TechniqueTable table, const Technique& technique, GenerationQuery query,
+                                  uint32_t forced) {
     checkSampleCount(query.hwSamples, "the number of samples per texel");
     query.isForced = forced != AGAA_TIER_AUTO;
     GenerationChoice choice;
@@ -115,9 +117,9 @@ GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery qu
         }
     }
     if (choice.reason.empty()) { // the technique lacks the tier
-        const std::string names = owners(forced);
-        choice.reason = names.empty() ? format("the tier %s is not built for generation.", agaaTierName(forced))
-                                      : format("the tier %s is for %s.", agaaTierName(forced), names.c_str());
+        const std::string names = techniquesWith(table, forced);
+        choice.reason = names.empty() ? format("the tier %s is not built for generation.", tierName(forced))
+                                      : format("the tier %s is for %s.", tierName(forced), names.c_str());
     }
     return choice;
 }
@@ -144,19 +146,20 @@ static std::string withNeeds(bool fetches, bool pulls, const std::string& reason
 }
 
 // The first choice is that of AUTO. The other tiers that run follow, then those that need an AgaaFetchFunction.
-static std::vector<GenerationChoice> runningChoices(const Technique& technique, const GenerationQuery& query) {
+static std::vector<GenerationChoice> runningChoices(TechniqueTable table, const Technique& technique,
+                                                    const GenerationQuery& query) {
     GenerationQuery offered = query;
     offered.fetches = true;
-    const GenerationChoice automatic = chooseGeneration(technique, query, AGAA_TIER_AUTO);
+    const GenerationChoice automatic = chooseGeneration(table, technique, query, AGAA_TIER_AUTO);
     std::vector<GenerationChoice> choices, offers;
     if (automatic.row)
         choices.push_back(automatic);
     for (const GenerationTier* row : technique.tiers) {
         if (row->hasCoverageSamples != query.coverageSamples || row->isModel || row == automatic.row)
             continue;
-        if (const GenerationChoice choice = chooseGeneration(technique, query, row->tier); choice.row)
+        if (const GenerationChoice choice = chooseGeneration(table, technique, query, row->tier); choice.row)
             choices.push_back(choice);
-        else if (const GenerationChoice offer = chooseGeneration(technique, offered, row->tier); offer.row)
+        else if (const GenerationChoice offer = chooseGeneration(table, technique, offered, row->tier); offer.row)
             offers.push_back(offer);
     }
     for (GenerationChoice& choice : choices)
@@ -167,14 +170,15 @@ static std::vector<GenerationChoice> runningChoices(const Technique& technique, 
 }
 
 // If nothing runs, the list has the tiers that run with vertex pulling.
-static std::vector<GenerationChoice> generationChoices(const Technique& technique, GenerationQuery query) {
+static std::vector<GenerationChoice> generationChoices(TechniqueTable table, const Technique& technique,
+                                                       GenerationQuery query) {
     for (const bool pulls : {false, true}) {
         query.vertexPulling = pulls;
-        if (const std::vector<GenerationChoice> choices = runningChoices(technique, query); !choices.empty())
+        if (const std::vector<GenerationChoice> choices = runningChoices(table, technique, query); !choices.empty())
             return choices;
     }
     query.fetches = true;
-    return {{nullptr, chooseGeneration(technique, query, AGAA_TIER_AUTO).reason}};
+    return {{nullptr, chooseGeneration(table, technique, query, AGAA_TIER_AUTO).reason}};
 }
 
 namespace {
@@ -185,9 +189,9 @@ void addVisibility(std::vector<AgaaCapability>& rows, const Technique& technique
                               choice.relativeCost, choice.reason));
 }
 
-void addGeneration(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples,
-                   const GenerationQuery& query) {
-    for (const GenerationChoice& choice : generationChoices(technique, query))
+void addGeneration(std::vector<AgaaCapability>& rows, TechniqueTable table, const Technique& technique,
+                   uint32_t samples, const GenerationQuery& query) {
+    for (const GenerationChoice& choice : generationChoices(table, technique, query))
         rows.push_back(capability(technique, samples, AGAA_STAGE_GENERATION,
                                   choice.row ? choice.row->tier : AGAA_TIER_AUTO, false,
                                   choice.row ? choice.row->relativeCost : 0, choice.reason));
@@ -198,8 +202,8 @@ void addShading(std::vector<AgaaCapability>& rows, const Technique& technique, u
 }
 
 // Adds rows for samples that the device rasterises.
-void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
-                      uint32_t samples) {
+void addDeviceSamples(std::vector<AgaaCapability>& rows, TechniqueTable table, const AgaaDeviceCaps& caps,
+                      const Technique& technique, uint32_t samples) {
     const bool prefersGrid = technique.prefersOrderedGrid && technique.prefersOrderedGrid({});
     const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO, prefersGrid);
     addVisibility(rows, technique, samples, visibility);
@@ -213,30 +217,30 @@ void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& c
         rows.push_back(
             capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
     if (!technique.tiers.empty())
-        addGeneration(rows, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples});
+        addGeneration(rows, table, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples});
     addShading(rows, technique, samples);
 }
 
-void addCoverageSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
-                        uint32_t samples) {
+void addCoverageSamples(std::vector<AgaaCapability>& rows, TechniqueTable table, const AgaaDeviceCaps& caps,
+                        const Technique& technique, uint32_t samples) {
     addVisibility(rows, technique, samples, coverageByEdges(samples));
-    addGeneration(rows, technique, samples, {.caps = caps, .coverageSamples = true});
+    addGeneration(rows, table, technique, samples, {.caps = caps, .coverageSamples = true});
     addShading(rows, technique, samples);
 }
 
 } // namespace
 
-std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
+std::vector<AgaaCapability> listCapabilities(TechniqueTable table, const AgaaDeviceCaps& caps) {
     std::vector<AgaaCapability> rows;
-    for (const Technique* technique : techniques()) {
+    for (const Technique* technique : table) {
         for (uint32_t samples = 1; samples <= technique->maxSamples; samples *= 2)
-            addDeviceSamples(rows, caps, *technique, samples);
+            addDeviceSamples(rows, table, caps, *technique, samples);
         if (technique->allowsGridOnlySamples() && technique->maxSamples > gridOnlySamples)
-            addDeviceSamples(rows, caps, *technique, gridOnlySamples);
+            addDeviceSamples(rows, table, caps, *technique, gridOnlySamples);
         // At n = 32 tiers of both kinds may run. AUTO then uses samples of the device.
         for (uint32_t samples : {32u, 64u, 128u})
             if (technique->countsCoverage(AGAA_TIER_AUTO, samples))
-                addCoverageSamples(rows, caps, *technique, samples);
+                addCoverageSamples(rows, table, caps, *technique, samples);
     }
     return rows;
 }

@@ -29,9 +29,12 @@ struct GenerationChoice {
     const GenerationTier* row = nullptr; // null: the stage cannot run
     std::string reason;                  // one sentence
 };
-// Returns the forced tier of the technique, or with AUTO the first that runs. The function sets query.isForced.
-GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery query, uint32_t forced);
+// Returns the forced tier of the technique, or with AUTO the first that runs. The function sets query.isForced. If the
+// technique lacks the tier, the reason names the techniques of the table that have it.
+GenerationChoice chooseGeneration(TechniqueTable table, const Technique& technique, GenerationQuery query,
+                                  uint32_t forced);
 
-std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps);
+// Returns the tiers of all techniques of the table that run.
+std::vector<AgaaCapability> listCapabilities(TechniqueTable table, const AgaaDeviceCaps& caps);
 
 } // namespace agaa

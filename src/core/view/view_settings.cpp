@@ -30,9 +30,9 @@ static void readMeasurement(const AgaaConfig& config, ViewSettings& view) {
                "AgaaMeasurement::flags");
 }
 
-static void readSettings(const AgaaConfig& config, ViewSettings& view) {
+static void readSettings(const AgaaConfig& config, TechniqueTable table, ViewSettings& view) {
     readMeasurement(config, view);
-    for (const Technique* technique : techniques())
+    for (const Technique* technique : table)
         for (const TechniqueSettings* settings : technique->settings)
             settings->read(config, view);
 }
@@ -42,10 +42,10 @@ static void checkTier(uint32_t tier, const char* name) {
         fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is %u, which is not an AgaaTier.", name, tier));
 }
 
-static AgaaConfig checkConfig(const AgaaConfig* pointer) {
-    const AgaaConfig config = readStruct(pointer, configChain());
+static AgaaConfig checkConfig(const AgaaConfig* pointer, TechniqueTable table) {
+    const AgaaConfig config = readStruct(pointer, configChain(table));
     require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
-    if (!findTechnique(config.technique))
+    if (!findTechnique(table, config.technique))
         fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%.64s\".", config.technique));
     checkRange(uint64_t(config.aggregates), 1, 8, "AgaaConfig::aggregates");
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
@@ -172,8 +172,8 @@ static void readFetchFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     view.fetchFunction = copyFunction(*function, view);
 }
 
-std::vector<uint32_t> configChain() {
-    std::vector<uint32_t> types = settingsTypes();
+std::vector<uint32_t> configChain(TechniqueTable table) {
+    std::vector<uint32_t> types = settingsTypes(table);
     types.push_back(AGAA_STRUCTURE_TYPE_MEASUREMENT);
     return types;
 }
@@ -181,10 +181,10 @@ std::vector<uint32_t> configChain() {
 void setCounts(ViewSettings& view, uint32_t samples, uint32_t aggregates) {
     view.samples = view.config.samples = samples;
     view.config.aggregates = aggregates;
-    view.aggregates = findTechnique(view.technique)->maxAggregates ? std::min(aggregates, samples) : 0;
+    view.aggregates = view.technique->maxAggregates ? std::min(aggregates, samples) : 0;
 }
 
-ViewSettings resolveView(const AgaaViewDesc* pointer) {
+ViewSettings resolveView(const AgaaViewDesc* pointer, TechniqueTable table) {
     const AgaaViewDesc desc = checkViewDesc(pointer);
     ViewSettings view;
     view.width = desc.width;
@@ -193,13 +193,13 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     view.composite = desc.flags & AGAA_VIEW_COMPOSITE;
     view.clipZFromMinusOne = desc.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
     view.vertexPulling = desc.flags & AGAA_VIEW_VERTEX_PULLING;
-    view.config = checkConfig(desc.config);
-    readSettings(view.config, view);
+    view.config = checkConfig(desc.config, table);
+    readSettings(view.config, table, view);
     view.config.pNext = nullptr;
     view.facts = view.variantFacts = checkFacts(desc.facts);
-    const Technique& technique = *findTechnique(view.config.technique);
+    const Technique& technique = *findTechnique(table, view.config.technique);
     view.config.technique = technique.name; // static storage
-    view.technique = technique.name;
+    view.technique = &technique;
     setCounts(view, checkSamples(view.config.samples, technique, view.config.generationTier), view.config.aggregates);
     if (!technique.countsCoverage(view.config.generationTier, view.samples))
         view.coveragePositions.clear();

@@ -4,6 +4,7 @@
 
 #include "agaa_sdk.h"
 #include "core/view/layout.h"
+#include "core/view/technique.h"
 
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ struct HostText {
 };
 
 struct ViewSettings {
-    std::string technique;
+    const Technique* technique = nullptr; // a row of the table; not null after resolveView()
     uint32_t width = 0;
     uint32_t height = 0;
     bool reversedZ = false;
@@ -52,9 +53,9 @@ struct ViewSettings {
 void setCounts(ViewSettings& view, uint32_t samples, uint32_t aggregates);
 
 // Returns the types of the structs that may be chained to AgaaConfig.
-std::vector<uint32_t> configChain();
+std::vector<uint32_t> configChain(TechniqueTable table);
 
 // Returns the checked description. Throws Error if it is null or not valid on any device; the message says why.
-ViewSettings resolveView(const AgaaViewDesc* desc);
+ViewSettings resolveView(const AgaaViewDesc* desc, TechniqueTable table);
 
 } // namespace agaa

@@ -211,7 +211,7 @@ TEST_F(GlPrograms, WhatTheDriverDoesNotLoadIsCompiled) {
         ASSERT_EQ(context.programs.size(), 2u);
         uint32_t format = context.binaryFormats[0];
         for (const Pass& pass : bench.view.plan().passes)
-            if (pass.kind == PassKind::Compute) {
+            if (pass.kind() == PassKind::Compute) {
                 const ProgramCache::Key key = ProgramCache::keyOf(passGlslForOpenGl(pass, 450));
                 const bool isThere = context.programs.find(key) != nullptr;
                 context.programs.set(isThere ? key : ProgramCache::keyOf(passGlslForOpenGl(pass, 430)),

@@ -21,6 +21,8 @@ std::vector<StructRow> makeRows() {
                             sdk.agaaInit##Name(static_cast<Agaa##Name*>(structure), structSize);                       \
                         }});                                                                                           \
     }
+#define AGAA_VK_STRUCT AGAA_STRUCT
+#define AGAA_GL_STRUCT AGAA_STRUCT
 #include "structs.inc"
     return rows;
 }

@@ -145,17 +145,17 @@ Dispatch listed(const Adaptive& a, uint32_t list) {
 void addLimit(PlanBuilder& b, const Adaptive& a) {
     Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
     b.bindCommon(demand);
-    addNumbers(b, "find limit", "sample_limit", a).compute.dispatch = once;
+    addNumbers(b, "find limit", "sample_limit", a).compute().dispatch = once;
 }
 
 // Adds passes that count the samples that geometry demands, and find from which demand on shading adds more.
 void addCounts(PlanBuilder& b, const Adaptive& a) {
     Pass& counts = addChoice(b, "count samples", "count_samples", a);
     b.bindCommon(counts);
-    counts.compute.dispatch = listed(a, AGAA_COMPLEX_PIXELS_AT);
+    counts.compute().dispatch = listed(a, AGAA_COMPLEX_PIXELS_AT);
     if (hasTarget(b.view())) {
         addNumbers(b, "count shading's demand", "shading_demand", a, true);
-        addNumbers(b, "find shading's limit", "shading_limit", a).compute.dispatch = once;
+        addNumbers(b, "find shading's limit", "shading_limit", a).compute().dispatch = once;
     }
 }
 
@@ -167,8 +167,8 @@ void addList(PlanBuilder& b, const Adaptive& a) {
     b.bind(list, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     b.bindOutput(list);
     if (has(b.view(), AGAA_ADAPTIVE_SORTED)) {
-        addNumbers(b, "place counts", "place_counts", a).compute.dispatch = once;
-        addNumbers(b, "place pixels", "place_pixels", a).compute.dispatch = listed(a, AGAA_FURTHER_AT);
+        addNumbers(b, "place counts", "place_counts", a).compute().dispatch = once;
+        addNumbers(b, "place pixels", "place_pixels", a).compute().dispatch = listed(a, AGAA_FURTHER_AT);
     }
 }
 
@@ -200,7 +200,7 @@ void build(PlanBuilder& b) {
         a.gbuffer = makeGBuffer(b);
     a.firstSamples = b.image("first-samples", Format::RGBA16F, false);
     a.choices = choiceBuffer(b);
-    b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fill.bytes = 4 * AGAA_SUM_WORDS;
+    b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fill().bytes = 4 * AGAA_SUM_WORDS;
     const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = countingPass(b.view());
     if (hasTarget(b.view()))
         addLimit(b, a);
@@ -213,7 +213,7 @@ void build(PlanBuilder& b) {
     Pass& further = addShading(b, "shade further samples", "shade_further", a);
     b.bind(further, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     b.bindOutput(further);
-    further.compute.dispatch = listed(a, AGAA_FURTHER_AT);
+    further.compute().dispatch = listed(a, AGAA_FURTHER_AT);
     b.copyCounters();
 }
 

@@ -34,7 +34,7 @@ void buildNative(PlanBuilder& b) {
     const Prepass prepass = drawPrepass(b, true);
     defineAggregates(b, [&](Pass& define) {
         b.bind(define, slot::Depth, BindingType::Texture, prepass.depth);
-        b.bind(define, slot::Normals, BindingType::Texture, prepass.normals);
+        b.bind(define, slot::Normals, BindingType::Texture, prepass.values);
     });
     const uint32_t slots = std::bit_ceil(b.view().aggregates); // no device has 3 samples
     uint64_t bytes = 0;

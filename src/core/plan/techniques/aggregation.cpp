@@ -39,13 +39,13 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format forma
     const Prepass s{b.depth(stencil), b.image(name, format, true)};
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY, AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
-    prepass.draw.sampleContent = content;
-    prepass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    prepass.draw.state.depthWrite = 1;
-    prepass.draw.state.colorAttachmentCount = 1;
-    prepass.draw.colorTargets = {s.normals};
-    prepass.draw.depthTarget = s.depth;
-    prepass.draw.clearsColor = prepass.draw.clearsDepth = true;
+    prepass.draw().sampleContent = content;
+    prepass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.draw().state.depthWrite = 1;
+    prepass.draw().state.colorAttachmentCount = 1;
+    prepass.draw().colorTargets = {s.values};
+    prepass.draw().depthTarget = s.depth;
+    prepass.draw().clearsColor = prepass.draw().clearsDepth = true;
     return s;
 }
 
@@ -88,22 +88,22 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     Pass& pass =
         b.hostDraw("generate aggregates", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_GENERATION);
     b.bindCommon(pass);
-    pass.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
-    pass.draw.state.stencilTest = stencil;
+    pass.draw().state.depthCompare = AGAA_COMPARE_EQUAL;
+    pass.draw().state.stencilTest = stencil;
     // A masked fragment may pass the depth and stencil tests at a sample that its mask excludes. If it wrote the
     // stencil, the coplanar fragment that owns the sample would be rejected.
-    pass.draw.state.stencilTestMasked = 0;
-    pass.draw.state.sampleShading = perSample;
-    pass.draw.depthTarget = prepass.depth;
+    pass.draw().state.stencilTestMasked = 0;
+    pass.draw().state.sampleShading = perSample;
+    pass.draw().depthTarget = prepass.depth;
     if (metadata != noResource)
         b.bind(pass, host_slot::Metadata, BindingType::Texture, metadata);
     // Fragments at the far plane equal the cleared depth, although the prepass does not show them. The normals
     // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself.
     if (!a.represented && !b.view().reversedZ)
-        b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.normals);
+        b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.values);
     b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.view().hwSamples > 1)
-        pass.draw.extensions.push_back("ARB_post_depth_coverage");
+        pass.draw().extensions.push_back("ARB_post_depth_coverage");
     setRecord(pass, a);
 }
 
@@ -113,7 +113,7 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
     b.cullLights(bindDepth);
     Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
                             {{Switch::Represented, a.represented}});
-    shade.compute.shadesAggregates = true;
+    shade.compute().shadesAggregates = true;
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
@@ -131,7 +131,7 @@ void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     const ResourceId metadata = a.define(
         [&](Pass& pass) {
             b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
-            b.bind(pass, slot::Normals, BindingType::Texture, prepass.normals);
+            b.bind(pass, slot::Normals, BindingType::Texture, prepass.values);
         },
         aggregates);
     if (!a.definitionClears)
@@ -140,7 +140,10 @@ void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
         const bool hasNormals = a.layout.has(AGAA_SEMANTIC_NORMAL);
         b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
-        b.bind(pass, slot::Normals, BindingType::Texture, b.counts() || !hasNormals ? prepass.normals : prepass.depth);
+        if (hasNormals)
+            bindGeometryMask(b, pass, prepass.values, prepass.depth);
+        else
+            b.bind(pass, slot::Normals, BindingType::Texture, prepass.values);
         pass.constants[AGAA_COVERAGE_COMPONENT] = 0;
         pass.constants[AGAA_PREPASS_NORMALS] = !hasNormals;
     });
@@ -203,7 +206,7 @@ void buildFromIds(PlanBuilder& b, const Aggregation& a) {
     setRecord(gather, a);
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
         b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth);
-        b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? ids.prepass.normals : ids.prepass.depth);
+        bindGeometryMask(b, pass, ids.prepass.values, ids.prepass.depth);
         pass.constants[AGAA_COVERAGE_COMPONENT] = AGAA_ANY_COMPONENT;
     });
 }

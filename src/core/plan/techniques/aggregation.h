@@ -14,9 +14,9 @@ ShadingWork workOfAggregates(const ViewSettings& view);
 
 struct Prepass {
     ResourceId depth = noResource;
-    ResourceId normals = noResource; // or ids
+    ResourceId values = noResource; // normals or ids by which samples are distinguished; 0 where there is no geometry
 };
-// Draws the depth of every sample and an image with the value by which samples are distinguished.
+// Draws the depth and the value of every sample.
 Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name = "normals", Format format = Format::RG8,
                     SampleContent content = SampleContent::Normal);
 

@@ -2,6 +2,7 @@
 // et al., "Decoupled Coverage Anti-Aliasing", I3D 2016).
 #include "core/base/checked.h"
 #include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/plan/techniques/aggregation.h"
 #include "core/plan/techniques/fragment_lists.h"
 #include "core/plan/techniques/generation_tiers.h"
@@ -18,7 +19,7 @@ void addBatchPass(PlanBuilder& b, const char* name, const char* shader, Resource
     Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, AGAA_SEGMENT_PREPASS);
     b.bindCommon(pass);
     b.bind(pass, slot::Fragments, BindingType::StorageBuffer, fragments, true);
-    pass.compute.dispatch = {.kind = DispatchKind::Items, .items = 1};
+    pass.compute().dispatch = {.kind = DispatchKind::Items, .items = 1};
 }
 
 bool isExact(const ViewSettings& view) { return view.coverage.flags & AGAA_COVERAGE_EXACT; }
@@ -41,7 +42,7 @@ void resolve(ResolvedView& view) {
     if (mergesInOrder(view))
         fail(AGAA_ERROR_UNSUPPORTED,
              format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
-                    agaaTierName(view.generationTier)));
+                    tierName(view.generationTier)));
 }
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
@@ -59,7 +60,7 @@ FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t ot
     if (!carriesMaterials(b.view()))
         return drawFragments(b, otherWords);
     const FragmentLists lists = drawFragments(b, surfaces.stride - b.view().samples / 32);
-    b.plan.passes[lists.firstPass].draw.fragmentContent = FragmentContent::Materials;
+    b.plan.passes[lists.firstPass].draw().fragmentContent = FragmentContent::Materials;
     setRecord(b.plan.passes[lists.firstPass], surfaces);
     return lists;
 }
@@ -91,7 +92,7 @@ ResourceId surfaceBuffer(PlanBuilder& b) {
 
 Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
     Pass& pass = drawTriangles(b);
-    pass.draw.fragmentContent = FragmentContent::Merged;
+    pass.draw().fragmentContent = FragmentContent::Merged;
     pass.constants[AGAA_MERGE_RULE] = b.view().coverage.merge;
     setRecord(pass, surfaces);
     return pass;
@@ -101,7 +102,7 @@ ResourceId mergeInBuffer(PlanBuilder& b, const Aggregation& surfaces) {
     const ResourceId kept = surfaceBuffer(b);
     b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
     Pass& draw = drawMerging(b, surfaces);
-    draw.draw.extensions.push_back("ARB_fragment_shader_interlock");
+    draw.draw().extensions.push_back("ARB_fragment_shader_interlock");
     b.bind(draw, host_slot::Surfaces, BindingType::StorageBuffer, kept, true);
     return kept;
 }
@@ -116,10 +117,10 @@ ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
     const uint32_t attachments = (b.view().aggregates * surfaces.stride + words - 1) / words;
     const ResourceId kept = b.layeredImage("surfaces", Format::RGBA32U, attachments);
     Pass& pass = drawMerging(b, surfaces);
-    pass.draw.colorTargets = {kept};
-    pass.draw.state.colorAttachmentCount = attachments;
-    pass.draw.state.readsAttachments = 1;
-    pass.draw.clearsColor = true;
+    pass.draw().colorTargets = {kept};
+    pass.draw().state.colorAttachmentCount = attachments;
+    pass.draw().state.readsAttachments = 1;
+    pass.draw().clearsColor = true;
     return kept;
 }
 

@@ -90,7 +90,7 @@ ResourceId makeCoverageTable(PlanBuilder& b) {
     b.passConstants()[AGAA_TABLE_SIZE] = size;
     const ResourceId table = b.squareImage("coverage-table", Format::RGBA32U, size);
     Pass& fill = b.compute("fill coverage table", AGAA_STAGE_GENERATION, "coverage_table", AGAA_SEGMENT_PREPASS);
-    fill.compute.dispatch = {.kind = DispatchKind::Items, .items = uint64_t(size) * size};
+    fill.compute().dispatch = {.kind = DispatchKind::Items, .items = uint64_t(size) * size};
     b.bind(fill, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_PREPASS));
     b.bind(fill, slot::CoverageTableOut, BindingType::StorageImage, table, true);
     b.note(format("coverage: by a table of %u x %u half-planes, because the host says where the samples lie.", size,
@@ -106,9 +106,9 @@ Pass& drawTriangles(PlanBuilder& b) {
     b.bindCommon(pass);
     if (table != noResource)
         b.bind(pass, host_slot::CoverageTable, BindingType::Texture, table);
-    pass.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
-    pass.draw.state.vertexPulling = b.view().vertexPulling;
-    pass.draw.expansionText =
+    pass.draw().state.depthCompare = AGAA_COMPARE_ALWAYS;
+    pass.draw().state.vertexPulling = b.view().vertexPulling;
+    pass.draw().expansionText =
         b.view().vertexPulling ? "#include \"host/pulled_hull.glsl\"" : "#include \"host/triangle_hull.glsl\"";
     if (b.view().vertexPulling)
         b.note("triangles: vertex shaders of the host expand them (AGAA_VIEW_VERTEX_PULLING).");
@@ -119,7 +119,7 @@ FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords) {
     b.plan.payloadWords = payloadWords;
     const ListSizes sizes = listSizes(b);
     FragmentLists lists{makeLists(b, sizes)};
-    b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, AGAA_SEGMENT_PREPASS).fill.bytes = 4 * sizes.heads;
+    b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, AGAA_SEGMENT_PREPASS).fill().bytes = 4 * sizes.heads;
     Pass& pass = drawTriangles(b);
     lists.firstPass = uint32_t(b.plan.passes.size() - 1);
     b.bind(pass, host_slot::Fragments, BindingType::StorageBuffer, lists.buffer, true);
@@ -128,7 +128,7 @@ FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords) {
 
 void FragmentLists::bind(PlanBuilder& b, Pass& pass) const {
     b.bindHostFetch(pass);
-    pass.compute.defines += format("#define AGAA_PAYLOAD_WORDS %uu\n", b.plan.payloadWords);
+    pass.compute().defines += format("#define AGAA_PAYLOAD_WORDS %uu\n", b.plan.payloadWords);
     bindAlone(b, pass);
 }
 

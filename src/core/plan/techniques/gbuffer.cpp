@@ -13,10 +13,10 @@ Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
         g.attachments.push_back(b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
     Pass& pass = b.hostDraw(name, AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_PREPASS);
     b.bindCommon(pass);
-    pass.draw.state.colorAttachmentCount = uint32_t(g.attachments.size());
-    pass.draw.colorTargets = g.attachments;
-    pass.draw.depthTarget = g.depth;
-    pass.draw.clearsColor = true;
+    pass.draw().state.colorAttachmentCount = uint32_t(g.attachments.size());
+    pass.draw().colorTargets = g.attachments;
+    pass.draw().depthTarget = g.depth;
+    pass.draw().clearsColor = true;
     setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, g.packing.fields);
     return pass;
 }
@@ -31,9 +31,9 @@ GBuffer makeGBuffer(PlanBuilder& b) {
     }
     g.depth = b.depth(false);
     Pass& pass = drawGBuffer(b, g, "gbuffer");
-    pass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    pass.draw.state.depthWrite = 1;
-    pass.draw.clearsDepth = true;
+    pass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    pass.draw().state.depthWrite = 1;
+    pass.draw().clearsDepth = true;
     return g;
 }
 
@@ -41,10 +41,10 @@ GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth) {
     GBuffer g;
     g.depth = depth;
     Pass& pass = drawGBuffer(b, g, "gbuffer of unfetched draws");
-    pass.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
+    pass.draw().state.depthCompare = AGAA_COMPARE_EQUAL;
     // The first pass shows the first of equal depths. Masks apply before this stencil test, because the shader's depth
     // and stencil tests are late. The test therefore includes masked materials.
-    pass.draw.state.stencilTest = pass.draw.state.stencilTestMasked = b.keepsFirst();
+    pass.draw().state.stencilTest = pass.draw().state.stencilTestMasked = b.keepsFirst();
     return g;
 }
 
@@ -59,12 +59,16 @@ void GBuffer::bind(PlanBuilder& b, Pass& pass) const {
                attachments[std::min<size_t>(i, attachments.size() - 1)]);
 }
 
+void bindGeometryMask(PlanBuilder& b, Pass& pass, ResourceId mask, ResourceId depth) {
+    b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? mask : depth);
+}
+
 void GBuffer::bindDepth(PlanBuilder& b, Pass& pass) const {
     if (attachments.empty())
         return b.bindHostGBuffer(pass);
     b.bind(pass, slot::Depth, BindingType::Texture, depth);
     const Field& normal = packing.fields[ChannelNormalX];
-    b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? attachments[normal.word] : depth);
+    bindGeometryMask(b, pass, attachments[normal.word], depth);
     pass.constants[AGAA_COVERAGE_COMPONENT] = normal.shift;
 }
 

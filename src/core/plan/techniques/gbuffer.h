@@ -20,6 +20,10 @@ struct GBuffer {
     void bindDepth(PlanBuilder& b, Pass& pass) const;
 };
 
+// Binds the image whose texels are 0 where there is no geometry to a pass that reads it only to count. Without counters
+// the depth takes its place, so that the memory of the image is free.
+void bindGeometryMask(PlanBuilder& b, Pass& pass, ResourceId mask, ResourceId depth);
+
 GBuffer makeGBuffer(PlanBuilder& b);
 // Draws a G-buffer at depths that equal those of an earlier pass.
 GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth);

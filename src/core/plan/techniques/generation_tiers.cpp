@@ -1,13 +1,14 @@
 #include "core/plan/techniques/generation_tiers.h"
 
 #include "core/base/error.h"
+#include "core/base/names.h"
 
 namespace agaa {
 
 namespace {
 
-// Times of whole frames relative to post-depth atomics: medians of the scenes of docs/results/lavapipe/sweep, n = 8, c
-// = 2.
+// Times of whole frames relative to post-depth atomics, with n = 8 and c = 2. They are medians of the scenes of
+// docs/results/lavapipe/sweep.
 constexpr float gbufferCost = 0.64f, idsCost = 0.61f;
 // Times relative to lists, n = 64, S = 4: on lavapipe, foliage and metal, 320x180; on an NVIDIA H200, bamboo and metal,
 // 1280x720. Material lists take 2.8 on the H200.
@@ -138,10 +139,10 @@ std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
     if (q.hostGBuffer)
         return noCoverageReason;
     if (!q.fetches)
-        return format("the tier %s needs an AgaaFetchFunction.", agaaTierName(tier));
+        return format("the tier %s needs an AgaaFetchFunction.", tierName(tier));
     if (q.someUnfetched)
         return format("the tier %s fetches the materials of all draws; AGAA_FETCH_NOT_ALL_DRAWS must not be set.",
-                      agaaTierName(tier));
+                      tierName(tier));
     if (q.customDepth)
         return "materials that write depth or discard on their own cannot be fetched by id with their depth.";
     if (!hasAtomics(q))

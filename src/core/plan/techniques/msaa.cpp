@@ -10,23 +10,23 @@ static void build(PlanBuilder& b) {
     const ResourceId color = b.image("color", Format::RGBA16F, true);
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY, AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
-    prepass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    prepass.draw.state.depthWrite = 1;
-    prepass.draw.depthTarget = depth;
-    prepass.draw.clearsDepth = true;
+    prepass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.draw().state.depthWrite = 1;
+    prepass.draw().depthTarget = depth;
+    prepass.draw().clearsDepth = true;
     Pass& forward = b.hostDraw("forward", AGAA_STAGE_SHADING, AGAA_DRAW_PASS_FORWARD, AGAA_SEGMENT_SHADING);
     b.bindCommon(forward);
     b.bindLighting(forward);
-    forward.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
-    forward.draw.state.stencilTest = b.keepsFirst();
+    forward.draw().state.depthCompare = AGAA_COMPARE_EQUAL;
+    forward.draw().state.stencilTest = b.keepsFirst();
     // The stencil test precedes the mask of a masked material. It would reject the coplanar fragment that owns the
     // sample, so that blending keeps the first fragment instead. Each coplanar masked fragment is still shaded.
-    forward.draw.state.stencilTestMasked = 0;
-    forward.draw.state.keepFirst = b.hasFact(AGAA_FACT_ALPHA_MASKED) || !b.keepsFirst();
-    forward.draw.state.colorAttachmentCount = 1;
-    forward.draw.colorTargets = {color};
-    forward.draw.clearsColor = true;
-    forward.draw.depthTarget = depth;
+    forward.draw().state.stencilTestMasked = 0;
+    forward.draw().state.keepFirst = b.hasFact(AGAA_FACT_ALPHA_MASKED) || !b.keepsFirst();
+    forward.draw().state.colorAttachmentCount = 1;
+    forward.draw().colorTargets = {color};
+    forward.draw().clearsColor = true;
+    forward.draw().depthTarget = depth;
     Pass& resolve = b.compute("resolve", AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
     b.bindCommon(resolve);
     b.bind(resolve, slot::Color, BindingType::Texture, color);

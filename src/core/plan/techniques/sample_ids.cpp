@@ -6,7 +6,7 @@ namespace agaa {
 
 void Ids::bind(PlanBuilder& b, Pass& pass) const {
     b.bindHostFetch(pass);
-    b.bind(pass, slot::Ids, BindingType::Texture, prepass.normals);
+    b.bind(pass, slot::Ids, BindingType::Texture, prepass.values);
     if (unfetched)
         unfetched->bind(b, pass);
     else

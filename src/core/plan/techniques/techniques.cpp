@@ -1,40 +1,14 @@
 #include "core/plan/techniques/techniques.h"
 
-#include "core/base/names.h"
-
-#include <algorithm>
+#include "core/plan/planner.h"
 
 namespace agaa {
 
-const std::vector<const Technique*>& techniques() {
-    static const std::vector<const Technique*> table = {&singleTechnique, &fxaaTechnique,          &msaaTechnique,
-                                                        &ssaaTechnique,   &simpleComplexTechnique, &sbaaTechnique,
-                                                        &agaaTechnique,   &dcaaTechnique,          &adaptiveTechnique};
+TechniqueTable techniques() {
+    static constexpr const Technique* table[] = {&singleTechnique, &fxaaTechnique,          &msaaTechnique,
+                                                 &ssaaTechnique,   &simpleComplexTechnique, &sbaaTechnique,
+                                                 &agaaTechnique,   &dcaaTechnique,          &adaptiveTechnique};
     return table;
-}
-
-const Technique* findTechnique(std::string_view name) {
-    for (const Technique* technique : techniques())
-        if (isSameName(name, technique->name))
-            return technique;
-    return nullptr;
-}
-
-bool Technique::countsCoverage(uint32_t generationTier, uint32_t samples) const {
-    for (const GenerationTier* row : tiers)
-        if (row->hasCoverageSamples &&
-            (generationTier == AGAA_TIER_AUTO ? samples > maxSamples : row->tier == AgaaTier(generationTier)))
-            return true;
-    return maxSamples == 0;
-}
-
-std::vector<uint32_t> settingsTypes() {
-    std::vector<uint32_t> types;
-    for (const Technique* technique : techniques())
-        for (const TechniqueSettings* settings : technique->settings)
-            if (std::find(types.begin(), types.end(), settings->sType) == types.end())
-                types.push_back(settings->sType);
-    return types;
 }
 
 } // namespace agaa
