@@ -11,7 +11,7 @@
 
 // Returns 0 for non-finite alpha, so that the gradients of its neighbours in the quad stay small.
 real agaa_sanitiseAlpha(real alpha) {
-    return agaa_isFinite(alpha) ? clamp(alpha, real(-AGAA_MAX_HALF), real(AGAA_MAX_HALF)) : real(0.0);
+    return agaa_isFinite(alpha) ? clamp(alpha, -AGAA_MAX_HALF, AGAA_MAX_HALF) : real(0.0);
 }
 
 // Cut-outs: inside a texel of the target the edge of a cut-out is nearly straight, so alpha is a simple function of

@@ -21,7 +21,7 @@ real agaa_complementOfPower(real u, real p) {
 // Returns 1 - y of linear light, [0, AGAA_MAX_HALF]. Negative light counts as 0.
 real agaa_displayComplement(real linear) {
     const real p = real(1.0) / real(2.2);
-    const real x = clamp(linear, real(0.0), real(AGAA_MAX_HALF));
+    const real x = clamp(linear, real(0.0), AGAA_MAX_HALF);
     const real u = real(1.0) / (real(1.0) + x);
     return u < real(0.125) ? agaa_complementOfPower(u, p) : real(1.0) - pow(x * u, p);
 }
@@ -31,7 +31,7 @@ real agaa_linearFromDisplayComplement(real complement) {
     const real c = clamp(complement, real(0.0), real(1.0));
     const real y = pow(real(1.0) - c, p);
     const real u = c < real(0.125) ? agaa_complementOfPower(c, p) : real(1.0) - y;
-    return min(y / max(u, real(1e-7)), real(AGAA_MAX_HALF));
+    return min(y / max(u, real(1e-7)), AGAA_MAX_HALF);
 }
 
 // Interpolates two linear values in display space.
