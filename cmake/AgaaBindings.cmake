@@ -1,5 +1,5 @@
-# Writes the GLSL of src/shaders/tables/bindings.inc: a macro AGAA_BINDING_… for each binding of the SDK's compute passes,
-# and for each alias.
+# Writes the GLSL of src/shaders/tables/bindings.inc: a macro AGAA_BINDING_… for each binding of the SDK's compute
+# passes, and for each alias.
 
 # agaa_write_bindings(TABLE OUTPUT)
 function(agaa_write_bindings table output)
@@ -24,6 +24,7 @@ function(agaa_write_bindings table output)
     endif()
     string(APPEND aliases "#define AGAA_BINDING_${CMAKE_MATCH_1} AGAA_BINDING_${CMAKE_MATCH_2}\n")
   endforeach()
-  file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
-       "#ifndef AGAA_BINDINGS_GLSL\n#define AGAA_BINDINGS_GLSL\n#ifdef AGAA_GL\n${opengl}#else\n${vulkan}#endif\n${aliases}#endif\n")
+  string(CONCAT text "#ifndef AGAA_BINDINGS_GLSL\n#define AGAA_BINDINGS_GLSL\n"
+         "#ifdef AGAA_GL\n${opengl}#else\n${vulkan}#endif\n${aliases}#endif\n")
+  file(CONFIGURE OUTPUT ${output} @ONLY CONTENT "${text}")
 endfunction()

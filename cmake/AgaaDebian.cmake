@@ -8,7 +8,8 @@ foreach(file changelog control copyright libagaa.symbols libagaa-dev.lintian-ove
   string(REPLACE "libagaa." "libagaa${AGAA_SOVERSION}." output ${file})
   configure_file(packaging/debian/${file}.in ${debian}/${output} @ONLY)
 endforeach()
-file(CHMOD ${debian}/rules PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+file(CHMOD ${debian}/rules PERMISSIONS
+     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
 # The licences of the project and of all that is compiled into its binaries (NOTICES.md).
 file(READ LICENSE licence)
@@ -16,7 +17,8 @@ file(APPEND ${debian}/copyright "${licence}")
 foreach(package glslang-dev spirv-tools python3-glad nlohmann-json3-dev libcli11-dev libglm-dev)
   set(notice /usr/share/doc/${package}/copyright)
   if(NOT EXISTS ${notice})
-    message(FATAL_ERROR "${notice}, whose code is in the packages, is missing; scripts/install-deps installs ${package}.")
+    message(FATAL_ERROR
+            "${notice}, whose code is in the packages, is missing; scripts/install-deps installs ${package}.")
   endif()
   file(READ ${notice} text)
   file(APPEND ${debian}/copyright "\n\n==== ${package} ====\n\n${text}")

@@ -1,8 +1,8 @@
-# The OpenGL loader: one table a context, generated offline by Debian's glad. Target agaa_glad, header
+# The OpenGL loader: one table per context, generated offline by Debian's glad. Target agaa_glad, header
 # <glad/gl.h>, whose GladGLContext holds the functions.
 find_program(GLAD glad REQUIRED)
 set(glad_folder ${PROJECT_BINARY_DIR}/glad)
-# What 4.3 lacks, so that it is loaded from contexts below 4.5 too, and what is optional.
+# These extensions have functions that OpenGL 4.3 lacks, so contexts below 4.5 load them too, or they are optional.
 set(glad_extensions GL_ARB_direct_state_access GL_ARB_buffer_storage GL_ARB_clip_control GL_KHR_debug
     GL_ARB_post_depth_coverage GL_ARB_texture_filter_anisotropic GL_EXT_texture_filter_anisotropic
     GL_NV_framebuffer_mixed_samples GL_NV_sample_mask_override_coverage GL_ARB_polygon_offset_clamp

@@ -41,8 +41,10 @@ endif()
 configure_file(cmake/agaa.pc.in ${PROJECT_BINARY_DIR}/agaa.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/agaa.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
-# The README links to docs/, so the folder keeps its structure. Measured results stay in the source tree: they are large.
-install(FILES LICENSE NOTICES.md README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+# The README links to docs/, so the folder keeps its structure. Measured results stay in the source tree: they are
+# large.
+install(FILES LICENSE NOTICES.md README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development PATTERN results EXCLUDE)
 install(DIRECTORY samples/minimal DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT development)
 

@@ -2,7 +2,8 @@
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 # Optimised SPIR-V makes pipelines faster to create. Some builds of glslang have no optimiser.
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/optimises.comp "#version 450\nvoid main() {}\n")
-execute_process(COMMAND ${GLSLANG_VALIDATOR} -V -Os -o optimises.spv optimises.comp WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
+execute_process(COMMAND ${GLSLANG_VALIDATOR} -V -Os -o optimises.spv optimises.comp
+                WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
                 RESULT_VARIABLE AGAA_GLSLANG_FAILED OUTPUT_QUIET ERROR_QUIET)
 if(AGAA_GLSLANG_FAILED)
   message(STATUS "${GLSLANG_VALIDATOR} does not optimise SPIR-V")

@@ -18,7 +18,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-FOLDERS = "src", "include", "conformance", "samples", "benchmark"
+FOLDERS = "src", "include", "conformance", "samples", "benchmark", "cmake"
 C_SUFFIXES = ".c", ".h", ".cpp", ".inc", ".glsl", ".comp", ".vert", ".frag", ".geom"
 HASH_NAMES = ".py", ".cmake", ".txt"
 COLUMNS = 120
@@ -161,7 +161,7 @@ class Tree:
         text = path.read_text()
         is_c = path.suffix in C_SUFFIXES
         comments, code = read_c(text) if is_c else read_hash(text)
-        if is_c:
+        if is_c or path.suffix == ".cmake" or path.name == "CMakeLists.txt":
             for number, line in enumerate(text.split("\n"), 1):
                 if len(line) > COLUMNS:
                     yield Finding(name, number, "columns", f"{len(line)} columns")

@@ -1,5 +1,5 @@
-# The library has the symbols and the soname of the baseline that scripts/abi-baseline wrote. abidiff filters most changes of
-# types: tools/check_abi.py compares those, by the description that is frozen with the headers.
+# The library has the symbols and the soname of the baseline that scripts/abi-baseline wrote. abidiff filters most
+# changes of types: tools/check_abi.py compares those, by the description that is frozen with the headers.
 if(NOT ABIDIFF)
   message(STATUS "abidiff is not installed (package abigail-tools): the baseline is not compared.")
   return()
