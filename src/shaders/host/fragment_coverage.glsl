@@ -82,8 +82,8 @@ uvec4 agaa_cutoutCoverage(AgaaSurfaceInput s, float alpha, vec2 gradient) {
 uvec4 agaa_alphaCoverage(AgaaSurfaceInput s) {
     float alpha = agaa_sanitiseAlpha(s.alpha);
     vec2 gradient = AGAA_FINE_GRADIENT(alpha);
-    s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0)); // as in agaa_alphaMask()
-    if (s.alphaCutoff > 0.0)
+    s.alphaCutoff = agaa_fragmentCutoff(s);
+    if (agaa_isCutout(s.alphaCutoff))
         return agaa_cutoutCoverage(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
     uint hash = agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.ditherFrame);

@@ -155,15 +155,25 @@ uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
     return mask;
 }
 
+// The cutoff is usually a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw whose
+// uniforms decide a branch. A term that is 0 but depends on the fragment prevents that.
+float agaa_fragmentCutoff(AgaaSurfaceInput s) {
+    return agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
+}
+
+// Returns whether an alpha-masked surface of this cutoff is a cut-out, and not translucent. The facts of the view decide
+// before the material does.
+bool agaa_isCutout(float cutoff) {
+    return agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && cutoff > 0.0);
+}
+
 // Returns the samples of this texel that an alpha-masked surface covers. It takes derivatives, so it needs uniform
 // control flow.
 uint agaa_alphaMask(AgaaSurfaceInput s) {
     float alpha = agaa_sanitiseAlpha(s.alpha);
     vec2 gradient = AGAA_FINE_GRADIENT(alpha);
-    // The cutoff is usually a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw
-    // whose uniforms decide a branch. A term that is 0 but depends on the fragment prevents that.
-    s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
-    if (agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && s.alphaCutoff > 0.0))
+    s.alphaCutoff = agaa_fragmentCutoff(s);
+    if (agaa_isCutout(s.alphaCutoff))
         return agaa_cutoutMask(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
     return agaa_translucentMask(alpha, AGAA_HW_SAMPLES, agaa_hostGroup(), AGAA_SCALE_X * AGAA_SCALE_Y,

@@ -14,6 +14,7 @@
 #include "ids_cases.h"
 #include "interlock_cases.h"
 #include "left_handed_cases.h"
+#include "mask_cases.h"
 #include "pattern_cases.h"
 #include "plan_cases.h"
 #include "pulling_cases.h"
@@ -36,6 +37,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, RasterOrderCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, MaskCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, AdaptiveCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FactsCases, OpenGLHost);

@@ -14,6 +14,7 @@
 #include "ids_cases.h"
 #include "interlock_cases.h"
 #include "left_handed_cases.h"
+#include "mask_cases.h"
 #include "pattern_cases.h"
 #include "plan_cases.h"
 #include "pulling_cases.h"
@@ -38,6 +39,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, RasterOrderCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, MaskCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, AdaptiveCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FactsCases, VulkanHost);
