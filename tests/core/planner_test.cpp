@@ -256,7 +256,7 @@ TEST(Planner, FragmentsAreATierOfCoverageSamples) {
         EXPECT_EQ(plan.geometryPasses(), 1u);
         // Eight fragments of id, next, mask, plane and aggregate; the first of each pixel, and the counts.
         const uint64_t pixels = uint64_t(spec.width) * spec.height;
-        EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * (24 + samples / 8)) * pixels + 64);
+        EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * (28 + samples / 8)) * pixels + 64);
         EXPECT_EQ(plan.totalBytes(), bytesOf(plan, "fragments"));
     }
     spec.samples = 32;

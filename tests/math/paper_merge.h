@@ -6,6 +6,7 @@
 #include <bitset>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,7 +17,7 @@ using Bits = std::bitset<128>;
 
 struct Surface {
     Bits coverage;
-    float depth, slopeX, slopeY, nearest, farthest;
+    float depth, slopeX, slopeY, middle, half; // the last two of the range of depths
     float normal[3];
 };
 
@@ -28,7 +29,7 @@ struct Box {
 };
 inline Box boxOf(const Surface& s) {
     const float half = 0.5f * (std::fabs(s.slopeX) + std::fabs(s.slopeY));
-    const auto within = [&](float z) { return std::min(std::max(z, s.nearest), s.farthest); };
+    const auto within = [&](float z) { return std::min(std::max(z, s.middle - s.half), s.middle + s.half); };
     return {within(s.depth - half), within(s.depth + half)};
 }
 inline float overlapOf(const Surface& a, const Surface& b) {
@@ -49,8 +50,10 @@ inline void average(Surface& into, const Surface& from, const Bits& bits, size_t
         mix(into.depth, from.depth);
         mix(into.slopeX, from.slopeX);
         mix(into.slopeY, from.slopeY);
-        into.nearest = std::min(into.nearest, from.nearest);
-        into.farthest = std::max(into.farthest, from.farthest);
+        const float nearest = std::min(into.middle - into.half, from.middle - from.half);
+        const float farthest = std::max(into.middle + into.half, from.middle + from.half);
+        into.middle = (nearest + farthest) * 0.5f;
+        into.half = (farthest - nearest) * 0.5f;
     }
     float n[3];
     for (int i = 0; i < 3; ++i)
@@ -72,7 +75,7 @@ struct Rules {
 struct Pixel {
     std::vector<Surface> surfaces;
     uint32_t mergedFirst = 0, mergedSecond = 0, discarded = 0, lostSamples = 0;
-    void (*store)(Surface&) = [](Surface&) {}; // what memory keeps of a surface
+    std::function<void(Surface&)> store = [](Surface&) {}; // what memory keeps of a surface
 
     void insert(Surface in, const Rules& rules) {
         std::optional<size_t> best;
@@ -126,7 +129,9 @@ private:
         std::vector<size_t> order(all.size());
         for (size_t i = 0; i < order.size(); ++i)
             order[i] = i;
-        const auto centre = [&](size_t i) { return std::min(std::max(all[i].depth, all[i].nearest), all[i].farthest); };
+        const auto centre = [&](size_t i) {
+            return std::min(std::max(all[i].depth, all[i].middle - all[i].half), all[i].middle + all[i].half);
+        };
         std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return centre(a) < centre(b); });
         return order;
     }

@@ -54,7 +54,9 @@ using rvec2 = glm::vec2;
 using rvec3 = glm::vec3;
 using rvec4 = glm::vec4;
 namespace {
-bool agaa_exponentIsAllOnes(real x) { return (std::bit_cast<std::uint32_t>(x) & 0x7F800000u) == 0x7F800000u; }
+uint floatBitsToUint(real x) { return std::bit_cast<std::uint32_t>(x); }
+real uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
+bool agaa_exponentIsAllOnes(real x) { return (floatBitsToUint(x) & 0x7F800000u) == 0x7F800000u; }
 #include "shader_math_files.inl"
 } // namespace
 } // namespace math_f
@@ -66,6 +68,9 @@ using rvec2 = glm::dvec2;
 using rvec3 = glm::dvec3;
 using rvec4 = glm::dvec4;
 namespace {
+// Words hold floats in both precisions.
+uint floatBitsToUint(real x) { return std::bit_cast<std::uint32_t>(float(x)); }
+real uintBitsToFloat(uint bits) { return real(std::bit_cast<float>(bits)); }
 bool agaa_exponentIsAllOnes(real x) {
     return (std::bit_cast<std::uint64_t>(x) & 0x7FF0000000000000u) == 0x7FF0000000000000u;
 }

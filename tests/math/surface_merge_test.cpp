@@ -26,7 +26,7 @@ glm::uvec4 wordsOf(const Bits& bits) {
 Shader shaderOf(const Surface& s) {
     return {wordsOf(s.coverage),
             {s.depth, s.slopeX, s.slopeY},
-            {s.nearest, s.farthest},
+            {s.middle, s.half},
             {s.normal[0], s.normal[1], s.normal[2]}};
 }
 
@@ -45,8 +45,8 @@ Surface randomFragment(Random& random, uint32_t samples) {
     s.depth = 0.1f * float(random.below(9));
     if (random.below(3))
         s.slopeX = random(-0.2f, 0.2f), s.slopeY = random(-0.2f, 0.2f);
-    s.nearest = s.depth - 0.05f * float(random.below(3));
-    s.farthest = s.depth + 0.05f * float(random.below(3));
+    s.middle = s.depth + 0.05f * float(random.below(3)) - 0.05f;
+    s.half = 0.05f * float(random.below(3));
     const float angle = 0.3f * float(random.below(7));
     s.normal[0] = std::sin(angle);
     s.normal[2] = std::cos(angle);
@@ -60,7 +60,7 @@ void expectEqual(const KeptSurfaces& got, const Pixel& expected) {
         const Shader& is = got.agaa_kept[i];
         ASSERT_EQ(is.mask, want.mask) << i;
         ASSERT_EQ(is.plane, want.plane) << i;
-        ASSERT_EQ(is.range, want.range) << i;
+        ASSERT_EQ(is.depths, want.depths) << i;
         ASSERT_EQ(is.normal, want.normal) << i;
     }
 }

@@ -125,7 +125,7 @@ TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
             paper::Pixel sums;
             for (size_t p = 0; p < kept.pixels.size(); ++p) {
                 paper::Pixel pixel;
-                pixel.store = storeSurface;
+                pixel.store = [samples](paper::Surface& s) { storeSurface(s, samples); };
                 for (const paper::Surface& fragment : fragments.pixels[p])
                     pixel.insert(fragment, rulesOf(settings, fragment));
                 expectSame(kept.pixels[p], pixel.surfaces, p);

@@ -12,13 +12,6 @@ namespace {
 
 constexpr uint32_t countWords = 16; // before the first fragments
 
-float slopeOf(uint32_t half) { return std::bit_cast<float>(half << 16); }
-
-uint32_t packSlope(float slope) {
-    const auto bits = std::bit_cast<uint32_t>(slope);
-    return (bits + 0x7FFFu + (bits >> 16 & 1u)) >> 16;
-}
-
 uint32_t packNormal(const float (&normal)[3]) {
     const glm::vec2 code = math_f::agaa_encodeOct({normal[0], normal[1], normal[2]}, 16) * 65535.0f + 0.5f;
     return uint32_t(code.x) | uint32_t(code.y) << 16;
@@ -30,13 +23,22 @@ void setNormal(paper::Surface& s, uint32_t word) {
         s.normal[i] = n[i];
 }
 
-void setPlane(paper::Surface& s, float depth, uint32_t slopeX, uint32_t slopeY) {
-    s.depth = depth;
-    s.slopeX = slopeOf(slopeX);
-    s.slopeY = slopeOf(slopeY);
-    const float reach = 0.5f * (std::fabs(s.slopeX) + std::fabs(s.slopeY));
-    s.nearest = depth - reach;
-    s.farthest = depth + reach;
+// The centroid of the samples that a surface covers.
+glm::vec2 middleOf(const paper::Surface& s, uint32_t samples) {
+    glm::uvec4 mask(0u);
+    for (uint32_t i = 0; i < samples; ++i)
+        mask[int(i / 32)] |= uint32_t(s.coverage[i]) << (i % 32);
+    return math_f::agaa_coverageMiddle(mask, samples);
+}
+
+void setPlane(paper::Surface& s, const math_f::agaa_StoredPlane& stored, uint32_t samples) {
+    const glm::vec3 plane = math_f::agaa_storedPlane(stored);
+    const glm::vec2 depths = math_f::agaa_storedDepths(stored, middleOf(s, samples));
+    s.depth = plane.x;
+    s.slopeX = plane.y;
+    s.slopeY = plane.z;
+    s.middle = depths.x;
+    s.half = depths.y;
 }
 
 } // namespace
@@ -71,7 +73,7 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
                 s.coverage[i] = words[i / 32] >> (i % 32) & 1;
             if (s.coverage.none())
                 break;
-            setPlane(s, std::bit_cast<float>(words[masks]), words[masks + 1] & 0xFFFFu, words[masks + 1] >> 16);
+            setPlane(s, {std::bit_cast<float>(words[masks]), words[masks + 1]}, settings.config.samples);
             setNormal(s, words[masks + 2]);
             own.push_back(s);
             payloadWords.insert(payloadWords.end(), words, words + buffers.stride);
@@ -80,8 +82,9 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
     return kept;
 }
 
-void storeSurface(paper::Surface& s) {
-    setPlane(s, s.depth, packSlope(s.slopeX), packSlope(s.slopeY));
+void storeSurface(paper::Surface& s, uint32_t samples) {
+    setPlane(s, math_f::agaa_storePlane({s.depth, s.slopeX, s.slopeY}, {s.middle, s.half}, middleOf(s, samples)),
+             samples);
     setNormal(s, packNormal(s.normal));
 }
 

@@ -45,7 +45,7 @@ template <class Host> Kept keepFrame(typename Host::Context& context, ViewSettin
 }
 
 // Rounds to what memory keeps.
-void storeSurface(paper::Surface& surface);
+void storeSurface(paper::Surface& surface, uint32_t samples);
 paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment);
 
 // Masks are equal; numbers differ by steps of what memory keeps at most.

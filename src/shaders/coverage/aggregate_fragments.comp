@@ -45,8 +45,7 @@ AgaaMaterial agaa_fetchCovered(AgaaPrimitive p, uvec2 pixel, vec2 middle) {
 void agaa_addFragment(inout agaa_PixelSamples samples, uvec2 pixel, uint i, uint fragment) {
     uint record = agaa_record(fragment);
     vec2 middle = agaa_coverageMiddle(agaa_maskOf(record), AGAA_SAMPLES);
-    vec3 plane = agaa_keptPlane(record);
-    float depth = agaa_deviceDepth(plane.x + dot(plane.yz, middle));
+    float depth = agaa_deviceDepth(agaa_depthAt(agaa_keptPlane(record), middle));
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     vec3 normal = agaa_planeNormal(p);
     agaa_itemFragment[i] = fragment;
@@ -252,12 +251,13 @@ vec3 agaa_meanFragmentPosition(uvec2 pixel, uint head, uint a, float weight) {
 }
 
 // Returns the plane of the fragment that shows at a sample.
-vec3 agaa_shownPlane(uint head, uint sampleOf) {
-    vec3 plane = vec3(0.0);
+agaa_DepthPlane agaa_shownPlane(uint head, uint sampleOf) {
+    agaa_DepthPlane plane = agaa_DepthPlane(0.0, vec2(0.0), vec2(0.0));
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
         bool isFound = (agaa_maskOf(record)[sampleOf / 32u] >> (sampleOf & 31u) & 1u) != 0u;
-        plane = isFound ? agaa_keptPlane(record) : plane;
+        if (isFound)
+            plane = agaa_keptPlane(record);
         fragment = isFound ? 0u : agaa_nextOf(record);
     }
     return plane;
@@ -274,7 +274,7 @@ void agaa_findLitSurfaces(uvec2 pixel, uint head, uint a, float weight, vec3 toE
         for (uint fragment = head; fragment != 0u;) {
             uint record = agaa_record(fragment);
             uvec4 mask = agaa_aggregateOf(record) == a ? agaa_maskOf(record) : uvec4(0u);
-            vec3 plane = agaa_keptPlane(record);
+            agaa_DepthPlane plane = agaa_keptPlane(record);
             for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
                 for (uint left = mask[word]; left != 0u; left &= left - 1u) {
                     uint i = word * 32u + uint(findLSB(left));

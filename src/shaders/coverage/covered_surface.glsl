@@ -1,7 +1,7 @@
-// Surfaces of `dcaa` in memory. A surface has these words: coverage, depth at the pixel's centre, change of depth per
-// pixel in x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), normal (octahedral, 16 bits each), with
-// elliptic lobes the spread of normals (coverage/surface_spread.glsl), then the material (aggregate/packing.glsl). A
-// coverage of 0 means no surface. Depths increase away from the eye; reversed depths are negated. Needs
+// Surfaces of `dcaa` in memory. A surface has these words: coverage, depth plane (two words, math/stored_plane.glsl),
+// normal (octahedral, 16 bits each), with elliptic lobes the spread of normals (coverage/surface_spread.glsl), then the
+// material (aggregate/packing.glsl). A coverage of 0 means no surface. Depths increase away from the eye; reversed
+// depths are negated. Needs
 // common/frame.glsl, and AGAA_AGGREGATES, AGAA_FAR_DEPTH, AGAA_SPREAD_WORDS and AGAA_STRIDE, which
 // common/constants.glsl has.
 #ifndef AGAA_COVERED_SURFACE_GLSL
@@ -15,7 +15,8 @@
 #endif
 #endif
 #include "math/surface_merge.glsl"
-#include "coverage/packed_plane.glsl"
+#include "math/stored_plane.glsl"
+#include "coverage/packed_normals.glsl"
 #include "tables/layouts.inc"
 
 #define AGAA_MASK_WORDS (AGAA_SAMPLES / 32u)
@@ -40,15 +41,24 @@ uint agaa_surfaceBase(uvec2 pixel, uint a) {
 }
 
 agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uint normal) {
-    vec3 plane = vec3(uintBitsToFloat(depth), agaa_unpackSlopes(slopes));
-    float reach = 0.5 * (abs(plane.y) + abs(plane.z));
-    return agaa_CoveredSurface(mask, plane, vec2(plane.x - reach, plane.x + reach), agaa_unpackNormal(normal));
+    agaa_StoredPlane stored = agaa_StoredPlane(uintBitsToFloat(depth), slopes);
+    return agaa_CoveredSurface(mask, agaa_storedPlane(stored),
+                               agaa_storedDepths(stored, agaa_coverageMiddle(mask, AGAA_SAMPLES)),
+                               agaa_unpackNormal(normal));
 }
 
-// Returns the surface as it is after storing and loading.
+agaa_CoveredSurface agaa_surfaceOfPlane(uvec4 mask, agaa_DepthPlane plane, vec3 normal) {
+    return agaa_CoveredSurface(mask, vec3(plane.depth, plane.slope), agaa_middleAndHalf(plane.range), normal);
+}
+
+agaa_StoredPlane agaa_storedPlaneOf(agaa_CoveredSurface s) {
+    return agaa_storePlane(s.plane, s.depths, agaa_coverageMiddle(s.mask, AGAA_SAMPLES));
+}
+
+// Returns the surface as it is after storing and loading. To store it again does not change it.
 agaa_CoveredSurface agaa_asStored(agaa_CoveredSurface s) {
-    return agaa_surfaceOfWords(s.mask, floatBitsToUint(s.plane.x), agaa_packSlopes(s.plane.yz),
-                               agaa_packNormal(s.normal));
+    agaa_StoredPlane stored = agaa_storedPlaneOf(s);
+    return agaa_surfaceOfWords(s.mask, floatBitsToUint(stored.depth), stored.slopes, agaa_packNormal(s.normal));
 }
 
 // Converts a depth that increases away from the eye to that of the depth buffer.

@@ -12,6 +12,10 @@ bool agaa_isAtFarDepth(agaa_DepthPlane plane) {
     return AGAA_FAR_DEPTH != 0u ? plane.range.x >= 1.0 : plane.range.y <= 0.0;
 }
 
-// Returns depth and slopes with depths that increase away from the eye.
-vec3 agaa_growingDepth(agaa_DepthPlane plane) { return agaa_planeInRange(plane) * (AGAA_FAR_DEPTH != 0u ? 1.0 : -1.0); }
+// Returns the plane with depths that increase away from the eye.
+agaa_DepthPlane agaa_growingDepth(agaa_DepthPlane plane) {
+    if (AGAA_FAR_DEPTH != 0u)
+        return plane;
+    return agaa_DepthPlane(-plane.depth, -plane.slope, -plane.range.yx);
+}
 #endif

@@ -17,14 +17,14 @@ uint agaa_nearestFragment[AGAA_SAMPLES];
 // rasterisers of Mesa end all loops of an invocation after 65535 iterations in total.
 void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
     uvec4 mask = agaa_maskOf(record);
-    vec3 plane = agaa_keptPlane(record);
+    agaa_DepthPlane plane = agaa_keptPlane(record);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word) {
         uint left = mask[word];
         while (left != 0u) {
             uint bit = left & (~left + 1u);
             uint i = word * 32u + uint(findLSB(left));
             vec2 at = agaa_coveragePosition(i, AGAA_SAMPLES);
-            float depth = plane.x + (plane.y * at.x + plane.z * at.y);
+            float depth = agaa_depthAt(plane, at);
             uint other = agaa_nearestFragment[i];
             if (isDecided) {
                 mask[word] ^= other != fragment ? bit : 0u;

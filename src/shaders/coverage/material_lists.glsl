@@ -5,13 +5,20 @@
 #include "coverage/material_payload.glsl"
 #define AGAA_PAYLOAD_WORDS AGAA_MATERIAL_PAYLOAD_WORDS
 #include "math/coverage_pattern.glsl"
+#include "math/stored_plane.glsl"
 #include "coverage/list_order.glsl"
 #include "coverage/surface_spread.glsl"
 #include "aggregate/unpacking.glsl"
 
-vec3 agaa_keptPlane(uint record) {
+agaa_StoredPlane agaa_carriedPlane(uint record) {
     uint at = record + AGAA_PAYLOAD_AT;
-    return vec3(uintBitsToFloat(agaa_fragments.words[at]), agaa_unpackSlopes(agaa_fragments.words[at + 1u]));
+    return agaa_StoredPlane(uintBitsToFloat(agaa_fragments.words[at]), agaa_fragments.words[at + 1u]);
+}
+
+// Returns the plane with twice its range: the centroid of the samples that are left may be at one end of the range of
+// all that were covered.
+agaa_DepthPlane agaa_keptPlane(uint record) {
+    return agaa_loadedPlane(agaa_carriedPlane(record), agaa_coverageMiddle(agaa_maskOf(record), AGAA_SAMPLES), 2.0);
 }
 
 vec3 agaa_keptNormal(uint record) { return agaa_unpackNormal(agaa_fragments.words[record + AGAA_PAYLOAD_AT + 2u]); }

@@ -15,10 +15,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material,
                        out agaa_NormalSpread spread) {
-    s.mask = agaa_maskOf(record);
-    s.plane = agaa_keptPlane(record);
-    s.normal = agaa_keptNormal(record);
-    s = agaa_asStored(s);
+    agaa_StoredPlane plane = agaa_carriedPlane(record);
+    s = agaa_surfaceOfWords(agaa_maskOf(record), floatBitsToUint(plane.depth), plane.slopes,
+                            agaa_fragments.words[record + AGAA_PAYLOAD_AT + 2u]);
     material = agaa_keptMaterial(record);
     spread = agaa_keptSpread(record);
     return true;

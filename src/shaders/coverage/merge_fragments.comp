@@ -25,9 +25,7 @@ bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out 
     AgaaMaterial m = agaa_evaluateMaterial(p);
     if (AGAA_SPREAD_WORDS == 0u)
         agaa_widenByCurvature(m, s.mask);
-    s.plane = agaa_growingDepth(plane);
-    s.normal = m.normal;
-    s = agaa_asStored(s);
+    s = agaa_asStored(agaa_surfaceOfPlane(s.mask, agaa_growingDepth(plane), m.normal));
     material = agaa_storedMaterial(m);
     spread = agaa_noSpread(s.normal);
     if (AGAA_SPREAD_WORDS != 0u)

@@ -110,8 +110,9 @@ agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stor
 void agaa_storeSurface(uint base, agaa_CoveredSurface s) {
     for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
         agaa_setSurfaces(base + word, s.mask[word]);
-    agaa_setSurfaces(base + AGAA_DEPTH_WORD, floatBitsToUint(s.plane.x));
-    agaa_setSurfaces(base + AGAA_SLOPE_WORD, agaa_packSlopes(s.plane.yz));
+    agaa_StoredPlane stored = agaa_storedPlaneOf(s);
+    agaa_setSurfaces(base + AGAA_DEPTH_WORD, floatBitsToUint(stored.depth));
+    agaa_setSurfaces(base + AGAA_SLOPE_WORD, stored.slopes);
     agaa_setSurfaces(base + AGAA_NORMAL_WORD, agaa_packNormal(s.normal));
 }
 #endif

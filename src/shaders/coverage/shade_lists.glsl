@@ -7,7 +7,7 @@
 
 // Returns radiance, or agaa_shownOfEvent(), times the number of samples.
 vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
-    vec3 plane = agaa_keptPlane(record);
+    agaa_DepthPlane plane = agaa_keptPlane(record);
     vec2 middle = agaa_coverageMiddle(mask, AGAA_SAMPLES);
     vec3 position = agaa_surfacePosition(pixel, plane, middle);
     agaa_tapSurface(pixel, plane, mask, position);

@@ -44,19 +44,21 @@ uvec4 agaa_loadMask(uint base) {
     return mask;
 }
 
-vec3 agaa_loadPlane(uint base) {
-    return vec3(uintBitsToFloat(agaa_readSurfaces(base + AGAA_DEPTH_WORD)),
-                agaa_unpackSlopes(agaa_readSurfaces(base + AGAA_SLOPE_WORD)));
+agaa_DepthPlane agaa_loadPlane(uint base, uvec4 mask) {
+    agaa_StoredPlane stored = agaa_StoredPlane(uintBitsToFloat(agaa_readSurfaces(base + AGAA_DEPTH_WORD)),
+                                               agaa_readSurfaces(base + AGAA_SLOPE_WORD));
+    return agaa_loadedPlane(stored, agaa_coverageMiddle(mask, AGAA_SAMPLES), 1.0);
 }
 
 // Returns the samples that surface a loses to the others.
-uvec4 agaa_hiddenSamples(uvec2 pixel, uint a, uvec4 mask, vec3 plane) {
+uvec4 agaa_hiddenSamples(uvec2 pixel, uint a, uvec4 mask, agaa_DepthPlane plane) {
     uvec4 hidden = uvec4(0u);
     for (uint other = 0u; other < agaa_aggregateLimit(); ++other) {
         uint base = agaa_surfaceBase(pixel, other);
-        uvec4 both = agaa_loadMask(base) & mask;
+        uvec4 second = agaa_loadMask(base);
+        uvec4 both = second & mask;
         if (other != a && agaa_coverageCount(both) != 0u)
-            hidden |= agaa_samplesBehind(plane, agaa_loadPlane(base), both, other < a, AGAA_SAMPLES);
+            hidden |= agaa_samplesBehind(plane, agaa_loadPlane(base, second), both, other < a, AGAA_SAMPLES);
     }
     return hidden;
 }
@@ -69,7 +71,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
         uint base = agaa_surfaceBase(pixel, a);
         uvec4 mask = agaa_loadMask(base);
         if (agaa_coverageCount(mask) != 0u)
-            mask &= ~agaa_hiddenSamples(pixel, a, mask, agaa_loadPlane(base));
+            mask &= ~agaa_hiddenSamples(pixel, a, mask, agaa_loadPlane(base, mask));
         agaa_shown[first + a] = mask;
         uint count = agaa_coverageCount(mask);
         work.events[0] |= count != 0u ? 1u << a : 0u;
@@ -88,7 +90,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     agaa_seekSurfaces(pixel);
     uint base = agaa_surfaceBase(pixel, a);
     uvec4 mask = agaa_shown[lane * AGAA_AGGREGATES + a];
-    vec3 plane = agaa_loadPlane(base);
+    agaa_DepthPlane plane = agaa_loadPlane(base, agaa_loadMask(base));
     vec3 position = agaa_surfacePosition(pixel, plane, agaa_coverageMiddle(mask, AGAA_SAMPLES));
     agaa_tapSurface(pixel, plane, mask, position);
     float weight = float(agaa_coverageCount(mask));

@@ -11,17 +11,17 @@
 #include "coverage/surface_spread.glsl"
 
 // Returns the position of a depth plane in shading space. offset: from the pixel's centre, in pixels.
-vec3 agaa_surfacePosition(uvec2 pixel, vec3 plane, vec2 offset) {
-    float depth = agaa_deviceDepth(plane.x + dot(plane.yz, offset));
+vec3 agaa_surfacePosition(uvec2 pixel, agaa_DepthPlane plane, vec2 offset) {
+    float depth = agaa_deviceDepth(agaa_depthAt(plane, offset));
     return agaa_toShadingSpace(agaa_viewPositionAt(pixel, offset + 0.5, depth));
 }
 
 // Returns the depth plane that shows at a sample. Includers that define the type AGAA_SHOWN define this function, too.
 #ifdef AGAA_SHOWN
-vec3 agaa_shownPlane(AGAA_SHOWN shown, uint sampleOf);
+agaa_DepthPlane agaa_shownPlane(AGAA_SHOWN shown, uint sampleOf);
 #else
-#define AGAA_SHOWN vec3
-vec3 agaa_shownPlane(vec3 plane, uint sampleOf) { return plane; }
+#define AGAA_SHOWN agaa_DepthPlane
+agaa_DepthPlane agaa_shownPlane(agaa_DepthPlane plane, uint sampleOf) { return plane; }
 #endif
 
 // Finds the visibility by shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or at their centroid.

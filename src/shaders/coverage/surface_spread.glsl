@@ -7,15 +7,15 @@
 #endif
 #include "math/coverage_pattern.glsl"
 #include "math/normal_spread.glsl"
-#include "coverage/packed_plane.glsl"
+#include "coverage/packed_normals.glsl"
 
 uvec2 agaa_packSpread(agaa_NormalSpread s) {
-    return uvec2(agaa_packSlopes(s.moments.xy), agaa_packSlopes(vec2(s.moments.z, s.meanLength)));
+    return uvec2(agaa_packBfloats(s.moments.xy), agaa_packBfloats(vec2(s.moments.z, s.meanLength)));
 }
 
 agaa_NormalSpread agaa_unpackSpread(vec3 normal, uvec2 words) {
-    vec2 last = agaa_unpackSlopes(words.y);
-    return agaa_NormalSpread(normal, vec3(agaa_unpackSlopes(words.x), last.x), last.y);
+    vec2 last = agaa_unpackBfloats(words.y);
+    return agaa_NormalSpread(normal, vec3(agaa_unpackBfloats(words.x), last.x), last.y);
 }
 
 // Returns the spread of a fragment's normals over the samples that it covers.

@@ -6,6 +6,7 @@
 #include "coverage/material_payload.glsl"
 #include "common/curvature.glsl"
 #include "coverage/growing_depth.glsl"
+#include "math/stored_plane.glsl"
 #include "aggregate/packing.glsl"
 #include "coverage/surface_spread.glsl"
 
@@ -18,14 +19,16 @@ bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask) {
     agaa_DepthPlane plane =
         agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
                         vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);
-    vec3 kept = agaa_growingDepth(plane);
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | agaa_sanitiseNormalChange(s.normalDx, s.normalDy);
     agaa_wasSanitised = bad;
     if (AGAA_SPREAD_WORDS == 0u)
         s.alpha2 = agaa_widenedByCurvature(s.alpha2, s.normalDx, s.normalDy, mask);
     agaa_packSurface(agaa_storedInput(s));
-    agaa_payload[0] = floatBitsToUint(kept.x);
-    agaa_payload[1] = agaa_packSlopes(kept.yz);
+    agaa_DepthPlane growing = agaa_growingDepth(plane);
+    agaa_StoredPlane stored = agaa_storePlane(vec3(growing.depth, growing.slope), agaa_middleAndHalf(growing.range),
+                                              agaa_coverageMiddle(mask, AGAA_SAMPLES));
+    agaa_payload[0] = floatBitsToUint(stored.depth);
+    agaa_payload[1] = stored.slopes;
     agaa_payload[2] = agaa_packNormal(s.normal);
 #if AGAA_SPREAD_WORDS
     vec3 normal = agaa_unpackNormal(agaa_payload[2]);

@@ -71,7 +71,7 @@ void agaa_mergeInOrder() {
         return;
     uvec2 pixel = agaa_hostPixel();
     agaa_CoveredSurface s =
-        agaa_asStored(agaa_surfaceOfWords(agaa_covered, agaa_payload[0], agaa_payload[1], agaa_payload[2]));
+        agaa_surfaceOfWords(agaa_covered, agaa_payload[0], agaa_payload[1], agaa_payload[2]);
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_packed[w] = agaa_payload[AGAA_PLANE_WORDS + AGAA_SPREAD_WORDS + w];
     agaa_Stored material = agaa_unpackSurface();

@@ -155,14 +155,14 @@ uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
     return mask;
 }
 
-// The cutoff is usually a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw whose
-// uniforms decide a branch. A term that is 0 but depends on the fragment prevents that.
+// The cutoff is usually a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw
+// whose uniforms decide a branch. A term that is 0 but depends on the fragment prevents that.
 float agaa_fragmentCutoff(AgaaSurfaceInput s) {
     return agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
 }
 
-// Returns whether an alpha-masked surface of this cutoff is a cut-out, and not translucent. The facts of the view decide
-// before the material does.
+// Returns whether an alpha-masked surface of this cutoff is a cut-out, and not translucent. The facts of the view
+// decide before the material does.
 bool agaa_isCutout(float cutoff) {
     return agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && cutoff > 0.0);
 }

@@ -104,15 +104,6 @@ real agaa_depthAt(agaa_DepthPlane plane, rvec2 offset) {
     return clamp(plane.depth + (plane.slope.x * offset.x + plane.slope.y * offset.y), plane.range.x, plane.range.y);
 }
 
-// Returns the plane that surfaces store, without a range: depth at the centre and change per pixel, flattened so that
-// it stays in the range over the whole pixel.
-rvec3 agaa_planeInRange(agaa_DepthPlane plane) {
-    const real reach = (abs(plane.slope.x) + abs(plane.slope.y)) * real(0.5);
-    const real halfRange = (plane.range.y - plane.range.x) * real(0.5);
-    const real flattened = reach > halfRange ? halfRange / reach : real(1.0);
-    return rvec3(plane.range.x + halfRange, plane.slope.x * flattened, plane.slope.y * flattened);
-}
-
 // Returns whether two surfaces may touch within the pixel. tolerance: of depths, at least the step of the depth format.
 bool agaa_depthsOverlap(agaa_DepthPlane a, agaa_DepthPlane b, real tolerance) {
     return a.range.x <= b.range.y + tolerance && b.range.x <= a.range.y + tolerance;

@@ -17,7 +17,7 @@
 struct agaa_CoveredSurface {
     uvec4 mask;
     rvec3 plane;  // depth at the pixel's centre, and its change per pixel in x and in y
-    rvec2 range;  // lowest and highest depth, because edge-on planes extrapolate without bound
+    rvec2 depths; // middle and half of the range of depths, because edge-on planes extrapolate without bound
     rvec3 normal; // unit
 };
 
@@ -63,14 +63,21 @@ void agaa_keep(uint i, agaa_CoveredSurface s) {
     agaa_kept[i] = s;
 }
 
-// Returns the range of depths over the pixel.
+// Returns the lowest and highest depth that the range allows.
+rvec2 agaa_rangeOf(agaa_CoveredSurface s) {
+    return rvec2(s.depths.x - s.depths.y, s.depths.x + s.depths.y);
+}
+
+// Returns the lowest and highest depth over the pixel.
 rvec2 agaa_depthInterval(agaa_CoveredSurface s) {
+    const rvec2 range = agaa_rangeOf(s);
     const real reach = real(0.5) * (abs(s.plane.y) + abs(s.plane.z));
-    return clamp(rvec2(s.plane.x - reach, s.plane.x + reach), rvec2(s.range.x), rvec2(s.range.y));
+    return clamp(rvec2(s.plane.x - reach, s.plane.x + reach), rvec2(range.x), rvec2(range.y));
 }
 
 real agaa_centreDepth(agaa_CoveredSurface s) {
-    return clamp(s.plane.x, s.range.x, s.range.y);
+    const rvec2 range = agaa_rangeOf(s);
+    return clamp(s.plane.x, range.x, range.y);
 }
 
 // Returns the overlap of the depths of two surfaces; a negative value is their distance.
@@ -83,11 +90,15 @@ real agaa_depthOverlap(agaa_CoveredSurface a, agaa_CoveredSurface b) {
 // Merges b into a by weights, whose sum is above 0. Depths are averaged only if they overlap. Returns the share of b
 // and the length of the mean normal.
 // mask   The part of b's coverage that a receives.
-rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 mask, uint ofA, uint ofB, real slack) {
-    const real share = real(ofB) / real(ofA + ofB);
+rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 mask, uint countA, uint countB,
+                     real slack) {
+    const real share = real(countB) / real(countA + countB);
     if (agaa_depthOverlap(a, b) + slack >= real(0.0)) {
         a.plane += (b.plane - a.plane) * share;
-        a.range = rvec2(min(a.range.x, b.range.x), max(a.range.y, b.range.y));
+        const rvec2 ofA = agaa_rangeOf(a);
+        const rvec2 ofB = agaa_rangeOf(b);
+        const rvec2 range = rvec2(min(ofA.x, ofB.x), max(ofA.y, ofB.y));
+        a.depths = rvec2((range.x + range.y) * real(0.5), (range.y - range.x) * real(0.5));
     }
     const rvec3 normal = a.normal + (b.normal - a.normal) * share;
     const real l2 = dot(normal, normal);

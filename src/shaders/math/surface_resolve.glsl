@@ -3,17 +3,14 @@
 #ifndef AGAA_MATH_SURFACE_RESOLVE_GLSL
 #define AGAA_MATH_SURFACE_RESOLVE_GLSL
 #include "coverage_pattern.glsl"
-#include "real.glsl"
+#include "depth_plane.glsl"
 
 // Returns the samples, of those that both surfaces cover, where the second is in front.
-// plane, second   Depth at the pixel's centre and its change per pixel in x and in y; smaller depths are nearer.
-// secondWins      The second is in front where depths are equal.
-uvec4 agaa_samplesBehind(rvec3 plane, rvec3 second, uvec4 both, bool secondWins, uint samples) {
-    const rvec3 behind = plane - second;
-    const real reach = (abs(behind.y) + abs(behind.z)) * real(0.5);
-    if (behind.x > reach)
+// Smaller depths are nearer. secondWins: the second is in front where depths are equal.
+uvec4 agaa_samplesBehind(agaa_DepthPlane plane, agaa_DepthPlane second, uvec4 both, bool secondWins, uint samples) {
+    if (plane.range.x > second.range.y)
         return both;
-    if (behind.x < -reach)
+    if (plane.range.y < second.range.x)
         return uvec4(0u);
     uvec4 hidden = uvec4(0u);
     for (uint word = 0u; word < samples / 32u; ++word) {
@@ -21,7 +18,7 @@ uvec4 agaa_samplesBehind(rvec3 plane, rvec3 second, uvec4 both, bool secondWins,
         while (left != 0u) {
             const uint bit = left & (~left + 1u);
             const rvec2 at = agaa_coveragePosition(word * 32u + uint(findLSB(left)), samples);
-            const real by = behind.x + (behind.y * at.x + behind.z * at.y);
+            const real by = agaa_depthAt(plane, at) - agaa_depthAt(second, at);
             hidden[word] = hidden[word] | (by > real(0.0) || (by == real(0.0) && secondWins) ? bit : 0u);
             left = left ^ bit;
         }
