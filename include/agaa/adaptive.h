@@ -13,7 +13,7 @@ extern "C" {
 /* Shade samples whose normal, plane or material differs from those of all shaded samples of the pixel. */
 #define AGAA_ADAPTIVE_GEOMETRY UINT64_C(0x01)
 /* Shade further samples of pixels whose samples differ, if the first samples of the pixel and of its four
- * neighbours differ in luminance. */
+ * neighbours differ in a colour channel; with the printed metric, in luminance. */
 #define AGAA_ADAPTIVE_SHADING UINT64_C(0x02)
 /* PRINTED_METRIC, IN_ORDER, EQUAL_WEIGHTS and LOOP together are the method of the paper, for comparison. */
 /* Section 3.1 as printed: the variance of depth, the cone of normals and the range of luminances each give a
@@ -52,10 +52,10 @@ typedef struct AgaaAdaptiveSampling {
     uint64_t flags;         /* AGAA_ADAPTIVE_… */
     float depthScale;       /* c_d of the printed metric: samples per variance of device depth, [0, 1e12] */
     float normalScale;      /* c_n of the printed metric: samples per root of 1 - cosine, [0, 1e6] */
-    float shadingScale;     /* c_s: further samples per range of tone-mapped luminance, [0, 1e6]. It is multiplied by
-                               the difference of the samples, as a share of the thresholds. The printed metric does
-                               not multiply */
-    float shadingThreshold; /* smallest range that counts, as a share of the largest luminance, [0, 1] */
+    float shadingScale;     /* c_s: further samples per range of a tone-mapped channel, [0, 1e6]. It is multiplied by
+                               the difference of the samples, as a share of the thresholds. The printed metric takes
+                               the range of luminance and does not multiply */
+    float shadingThreshold; /* smallest range that counts, as a share of the largest value in it, [0, 1] */
     float shadingMinimum;   /* smallest range that counts, [0, 1] */
     float glossWeight;      /* scale of differences of normals, [0, 16]. They are multiplied by glossWeight / alpha,
                                clamped to [1, 20], where alpha is GGX alpha. The printed metric does not use it */

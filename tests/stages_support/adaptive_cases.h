@@ -164,6 +164,42 @@ TYPED_TEST_P(AdaptiveCases, HardCase43ABrightPixelStaysAlone) {
     }
 }
 
+// Red beside blue emission of equal luma, in columns of a third of a pixel.
+inline std::vector<Triangle> columnsOfEqualLuma(float width) {
+    std::vector<Triangle> panel;
+    for (int column = 0; float(column) * width < 48; ++column) {
+        Material m = facing({0, 0, 0});
+        m.emissive = column % 2 ? glm::vec4(0, 0, 0.2126f / 0.0722f, 0) : glm::vec4(1, 0, 0, 0);
+        m.diffuse = glm::vec4(glm::vec3(column % 3 == 1 ? 0.5f : 0.54f), 1);
+        for (const Triangle& t : rectangle(float(column) * width, 0, float(column + 1) * width, 32, 8, m))
+            panel.push_back(t);
+    }
+    return panel;
+}
+
+// Colours differ by their channels, whatever luma says: in the choice of samples, and between neighbouring pixels.
+TYPED_TEST_P(AdaptiveCases, HardCase62ColorsOfEqualLumaDiffer) {
+    const auto moreThanOnePerPixel = [&](ViewSettings settings, const std::vector<Triangle>& panel) {
+        settings.projection = pixelOrthographic(48, 32, 10);
+        const Shown shown = this->render(settings, {.triangles = panel, .lights = {}});
+        EXPECT_EQ(shown.counters.shadedPixels, 48u * 32u);
+        return shown.counters.shadedPixels - shown.counters.pixelsByEvents[0];
+    };
+    ViewSettings classified = adaptiveSettings(8);
+    classified.config.technique = "simple_complex";
+    EXPECT_EQ(moreThanOnePerPixel(classified, columnsOfEqualLuma(1.0f / 3)), 48u * 32u);
+    EXPECT_EQ(moreThanOnePerPixel(adaptiveSettings(9, AGAA_ADAPTIVE_GEOMETRY), columnsOfEqualLuma(1.0f / 3)),
+              48u * 32u);
+    // Each pixel has one colour, and columns of little difference for the neighbours to demand.
+    std::vector<Triangle> stripes;
+    for (const Triangle& t : columnsOfEqualLuma(1.0f / 3)) {
+        const int pixel = int((t.position[0].x + t.position[1].x + t.position[2].x) / 3);
+        stripes.push_back(t);
+        stripes.back().material.emissive = pixel % 2 ? glm::vec4(0, 0, 0.2126f / 0.0722f, 0) : glm::vec4(1, 0, 0, 0);
+    }
+    EXPECT_EQ(moreThanOnePerPixel(adaptiveSettings(9, AGAA_ADAPTIVE_SHADING), stripes), 48u * 32u);
+}
+
 // Each frame keeps its target whatever came before: a step has no transient, and a still image does not change.
 TYPED_TEST_P(AdaptiveCases, TargetsAreKeptAndUsed) {
     for (const uint64_t metrics : {AGAA_ADAPTIVE_GEOMETRY, AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING})
@@ -289,7 +325,8 @@ TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
 
 REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem,
                             ByIdsItIsTheSame, WaysToShadeGiveOneImage, HardCase15OnePlaneIsShadedOnce,
-                            HardCase43ABrightPixelStaysAlone, TargetsAreKeptAndUsed, ThePapersMethodIsAMeanOfSamples,
-                            ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions, RememberedNumbersDecay);
+                            HardCase43ABrightPixelStaysAlone, HardCase62ColorsOfEqualLumaDiffer, TargetsAreKeptAndUsed,
+                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions,
+                            RememberedNumbersDecay);
 
 } // namespace agaa::test

@@ -25,10 +25,10 @@ void AdaptiveArguments::addTo(CLI::App& app) {
                    "adaptive: samples per variance of depth, with --printed-metric");
     app.add_option("--normal-scale", values.normalScale,
                    "adaptive: samples per spread of normals, with --printed-metric");
-    app.add_option("--shading-scale", values.shadingScale, "adaptive: samples per range of luminance");
+    app.add_option("--shading-scale", values.shadingScale, "adaptive: samples per range of a colour channel");
     app.add_option("--shading-threshold", values.shadingThreshold,
-                   "adaptive: least range, as a share of the largest luminance");
-    app.add_option("--shading-minimum", values.shadingMinimum, "adaptive: least range of luminance");
+                   "adaptive: least range, as a share of the largest value");
+    app.add_option("--shading-minimum", values.shadingMinimum, "adaptive: least range");
     app.add_option("--adaptive-gloss-weight", values.glossWeight, "adaptive: of shading normals");
 }
 

@@ -12,27 +12,32 @@ layout(AGAA_BINDING_FIRST_SAMPLES) uniform sampler2D agaa_firstSamples;
 
 vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel, 0); }
 
-// Returns tone-mapped luma in [0, 1], so that one bright pixel raises the counts of its neighbours no more than an
-// edge.
-float agaa_firstLuma(ivec2 pixel) {
-    ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size) - 1);
-    return agaa_displayLuma(agaa_firstSample(at).rgb);
+// Returns tone-mapped colour in [0, 1], so that one bright pixel raises the counts of its neighbours no more than an
+// edge. The printed metric compares luma, in which colours may be equal.
+vec3 agaa_firstColor(ivec2 pixel) {
+    vec3 color = agaa_firstSample(clamp(pixel, ivec2(0), ivec2(agaa_frame.size) - 1)).rgb;
+    return agaa_isAdaptive(AGAA_ADAPTIVE_PRINTED_METRIC) ? vec3(agaa_displayLuma(color)) : agaa_displayed(color);
+}
+
+float agaa_countByRange(float lowest, float highest) {
+    return agaa_shadingCount(lowest, highest, uintBitsToFloat(AGAA_SHADING_THRESHOLD),
+                             uintBitsToFloat(AGAA_SHADING_MINIMUM), uintBitsToFloat(AGAA_SHADING_SCALE));
 }
 
 // Returns the number of samples k_s, a real number.
 float agaa_countByShading(uvec2 pixel) {
     if (!agaa_isAdaptive(AGAA_ADAPTIVE_SHADING))
         return 0.0;
-    float lowest = agaa_firstLuma(ivec2(pixel));
-    float highest = lowest;
+    vec3 lowest = agaa_firstColor(ivec2(pixel));
+    vec3 highest = lowest;
     for (int side = -1; side <= 1; side += 2) {
-        float x = agaa_firstLuma(ivec2(pixel) + ivec2(side, 0));
-        float y = agaa_firstLuma(ivec2(pixel) + ivec2(0, side));
+        vec3 x = agaa_firstColor(ivec2(pixel) + ivec2(side, 0));
+        vec3 y = agaa_firstColor(ivec2(pixel) + ivec2(0, side));
         lowest = min(lowest, min(x, y));
         highest = max(highest, max(x, y));
     }
-    return agaa_shadingCount(lowest, highest, uintBitsToFloat(AGAA_SHADING_THRESHOLD),
-                             uintBitsToFloat(AGAA_SHADING_MINIMUM), uintBitsToFloat(AGAA_SHADING_SCALE));
+    return max(agaa_countByRange(lowest.x, highest.x),
+               max(agaa_countByRange(lowest.y, highest.y), agaa_countByRange(lowest.z, highest.z)));
 }
 
 // Returns the number of samples that shading demands beyond those of geometry. The printed metric takes the larger

@@ -44,10 +44,10 @@ uint agaa_alikeSamples(uint covered) {
 }
 
 void agaa_chooseSample(uvec2 pixel, uint covered, uint chosen) {
-    agaa_Features f = agaa_unpackFeatures(pixel, chosen, agaa_sampleFeatures[chosen]);
+    agaa_Features f = agaa_unpackFeatures(pixel, chosen);
     for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
         uint i = uint(findLSB(rest));
-        float d = i == chosen ? -1.0 : agaa_differenceOf(f, agaa_unpackFeatures(pixel, i, agaa_sampleFeatures[i]));
+        float d = i == chosen ? -1.0 : agaa_differenceOf(f, agaa_unpackFeatures(pixel, i));
         if (d < agaa_distances[i]) {
             agaa_distances[i] = d;
             agaa_owners[i] = chosen;

@@ -13,8 +13,9 @@
 struct agaa_Features {
     vec3 position, normal; // in shading space
     float width;           // tolerance of distances from its plane
-    vec4 diffuseAlpha;     // diffuse colour; w: the lobe's alpha
-    vec4 specularEmission; // specular reflectance; w: luma of the emission
+    vec4 diffuseAlpha; // diffuse colour; w: the lobe's alpha
+    vec3 specular;     // reflectance
+    vec3 emission;     // as displayed: colours of equal luma differ
 };
 
 // Returns sample j of the pattern's order, which begins in the middle. A constant holds four samples.
@@ -24,34 +25,42 @@ uint agaa_sampleInOrder(uint j) {
     return words[j >> 2u] >> (8u * (j & 3u)) & 0xFFu;
 }
 
-// materials   The members diffuseAlpha and specularEmission of the features.
-agaa_Features agaa_featuresAt(uvec2 pixel, uint i, float depth, vec3 normal, mat2x4 materials) {
+agaa_Features agaa_featuresAt(uvec2 pixel, uint i, float depth, vec3 normal, vec4 diffuseAlpha, vec3 specular,
+                              vec3 emission) {
     vec3 position = agaa_sampleViewPosition(pixel, i, depth);
     float width = agaa_frame.surfaceDistance * agaa_pixelWidth(position.z) +
                   2.0 * agaa_depthQuantum(position.z, depth, agaa_frame.projection22, agaa_frame.projection32,
                                           agaa_isOrthographic(), agaa_storedQuantum(depth));
-    return agaa_Features(agaa_toShadingSpace(position), normal, width, materials[0], materials[1]);
+    return agaa_Features(agaa_toShadingSpace(position), normal, width, diffuseAlpha, specular, emission);
 }
 
 // Returns the features of the sample fetched last.
 agaa_Features agaa_fetchedFeatures(uvec2 pixel, uint i, float depth) {
     agaa_Surface s = agaa_sampleSurface();
-    return agaa_featuresAt(pixel, i, depth, s.normal,
-                           mat2x4(vec4(s.diffuse, sqrt(s.alpha2)), vec4(s.specular, agaa_displayLuma(s.emissive))));
+    return agaa_featuresAt(pixel, i, depth, s.normal, vec4(s.diffuse, sqrt(s.alpha2)), s.specular,
+                           agaa_displayed(s.emissive));
 }
 
-// Packs depth, the code of the normal and the material of the sample fetched last.
-uvec4 agaa_packFeatures(float depth) {
+// The features of the pixel's samples.
+uvec4 agaa_sampleFeatures[AGAA_SAMPLES]; // depth, the code of the normal, diffuse colour and alpha, reflectance
+uint agaa_sampleEmission[AGAA_SAMPLES];  // where materials are emissive
+
+// Packs the features of the sample fetched last.
+void agaa_packFeatures(uint i, float depth) {
     agaa_Surface s = agaa_sampleSurface();
-    return uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()),
-                 packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
-                 packUnorm4x8(vec4(s.specular, agaa_displayLuma(s.emissive))));
+    agaa_sampleFeatures[i] =
+        uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()), packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
+              packUnorm4x8(vec4(s.specular, 0.0)));
+    if (agaa_hasFact(AGAA_FACT_EMISSIVE))
+        agaa_sampleEmission[i] = packUnorm4x8(vec4(agaa_displayed(s.emissive), 0.0));
 }
 
-agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i, uvec4 words) {
+agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i) {
+    uvec4 words = agaa_sampleFeatures[i];
+    vec3 emission = agaa_hasFact(AGAA_FACT_EMISSIVE) ? unpackUnorm4x8(agaa_sampleEmission[i]).xyz : vec3(0.0);
     return agaa_featuresAt(pixel, i, uintBitsToFloat(words.x),
                            agaa_decodeOct(unpackUnorm2x16(words.y), agaa_fieldBits(AGAA_SOURCE_NORMAL_X)),
-                           mat2x4(unpackUnorm4x8(words.z), unpackUnorm4x8(words.w)));
+                           unpackUnorm4x8(words.z), unpackUnorm4x8(words.w).xyz, emission);
 }
 
 // Returns the difference of two samples in thresholds: the largest of those of normals, planes and materials. The
@@ -59,8 +68,8 @@ agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i, uvec4 words) {
 float agaa_differenceOf(agaa_Features a, agaa_Features b) {
     float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuseAlpha.w, b.diffuseAlpha.w), 0.01),
                         1.0, 20.0);
-    vec4 material =
-        max(abs(a.diffuseAlpha - b.diffuseAlpha), abs(a.specularEmission - b.specularEmission));
+    vec4 material = abs(a.diffuseAlpha - b.diffuseAlpha);
+    material.xyz = max(material.xyz, max(abs(a.specular - b.specular), abs(a.emission - b.emission)));
     return max(max(agaa_normalStep(a.normal, b.normal, agaa_frame.surfaceCosine) * gloss,
                    agaa_planeStep(b.position - a.position, a.normal, b.normal, max(a.width, b.width))),
                max(max(material.x, material.y), max(material.z, material.w)) / max(agaa_frame.surfaceMaterial, 1e-3));
@@ -82,8 +91,6 @@ uint agaa_samplesOfFirst(uint first, uint alike, uint covered) {
     return agaa_isAdaptive(AGAA_ADAPTIVE_SHADING) ? covered : 1u << first;
 }
 
-uvec4 agaa_sampleFeatures[AGAA_SAMPLES]; // agaa_packFeatures() of the pixel's samples
-
 #ifdef AGAA_HOST_FETCH
 // Loads the pixel's samples, with one material per primitive. Returns the mask of samples with geometry.
 uint agaa_loadFetched(uvec2 pixel) {
@@ -100,7 +107,7 @@ uint agaa_loadFetched(uvec2 pixel) {
         for (; own != 0u; own &= own - 1u) {
             uint j = uint(findLSB(own));
             agaa_fetched.normal = agaa_materialNormal(m, j);
-            agaa_sampleFeatures[j] = agaa_packFeatures(agaa_depthOf(pixel, j));
+            agaa_packFeatures(j, agaa_depthOf(pixel, j));
         }
     }
     return covered;
@@ -112,7 +119,7 @@ void agaa_beginSamples(uvec2 pixel) { agaa_fetchedSamples = agaa_loadFetched(pix
 
 // Returns false where the sample has no geometry.
 bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
-    f = agaa_unpackFeatures(pixel, i, agaa_sampleFeatures[i]);
+    f = agaa_unpackFeatures(pixel, i);
     return (agaa_fetchedSamples >> i & 1u) != 0u;
 }
 
@@ -127,6 +134,6 @@ bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
 }
 
 // Keeps the features of the sample that was read last.
-void agaa_keepFeatures(uvec2 pixel, uint i) { agaa_sampleFeatures[i] = agaa_packFeatures(agaa_depthOf(pixel, i)); }
+void agaa_keepFeatures(uvec2 pixel, uint i) { agaa_packFeatures(i, agaa_depthOf(pixel, i)); }
 #endif
 #endif

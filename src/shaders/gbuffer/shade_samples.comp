@@ -24,7 +24,7 @@ float agaa_materialDifference(agaa_Surface a, agaa_Surface b) {
     if (AGAA_HAS_SPECULAR != 0u)
         d = max(d, max(agaa_largest(abs(a.specular - b.specular)), abs(a.alpha2 - b.alpha2)));
     if (AGAA_EMISSIVE_CHANNELS != 0u)
-        d = max(d, agaa_largest(abs(a.emissive - b.emissive)) / agaa_frame.emissiveRange);
+        d = max(d, agaa_largest(abs(agaa_displayed(a.emissive) - agaa_displayed(b.emissive))));
     return d;
 }
 
