@@ -234,6 +234,24 @@ TYPED_TEST_P(FactsCases, SufficientFactsSuffice) {
     }
 }
 
+// A host that multiplies radiance by its exposure after shading has dim lamps, which facts must not lose.
+TYPED_TEST_P(FactsCases, HardCase63DimEmissionIsDemanded) {
+    Material dim = facing({0, 0, 0});
+    dim.emissive = {1e-3f, 5e-4f, 2e-3f, 0};
+    for (const FactWay& way : {FactWay{"single", 1}, FactWay{"agaa", 8, AGAA_TIER_IDS}}) {
+        SCOPED_TRACE(way.name());
+        ViewSettings settings = this->settingsOf(way);
+        settings.projection = pixelOrthographic(48, 32, 10);
+        settings.config.flags |= AGAA_CONFIG_CHECK_FACTS;
+        const Shown shown = this->shownOf(settings, rectangle(0, 0, 48, 32, 5, dim));
+        EXPECT_EQ(shown.facts.withEmission, shown.facts.inspected);
+        EXPECT_TRUE(shown.facts.sufficient & AGAA_FACT_EMISSIVE);
+        dim.emissive = glm::vec4(0);
+        EXPECT_EQ(this->shownOf(settings, rectangle(0, 0, 48, 32, 5, dim)).facts.withEmission, 0u);
+        dim.emissive = {1e-3f, 5e-4f, 2e-3f, 0};
+    }
+}
+
 // The debug view shows the share of samples whose materials contradict.
 TYPED_TEST_P(FactsCases, DebugViewShowsContradictions) {
     Material plain, glowing;
@@ -277,6 +295,7 @@ TYPED_TEST_P(FactsCases, LocalLightsAreRefused) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(FactsCases, ValuesReplaceThoseOfMaterials, NormalsArePlanes, CountsAreThoseOfFragments,
-                            SufficientFactsSuffice, DebugViewShowsContradictions, LocalLightsAreRefused);
+                            SufficientFactsSuffice, HardCase63DimEmissionIsDemanded, DebugViewShowsContradictions,
+                            LocalLightsAreRefused);
 
 } // namespace agaa::test

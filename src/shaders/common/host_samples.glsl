@@ -27,7 +27,7 @@ uint agaa_demands = 0u; // of the current material, by agaa_applyFacts()
 // isExact       planeNormal is exact enough to compare the material's normal with it.
 void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal, bool isExact) {
     if (AGAA_CHECK_FACTS != 0u)
-        agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2) |
+        agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2, agaa_frame.emissiveRange) |
                        (isExact ? agaa_demandOfNormal(m.normal, planeNormal) : 0u);
     m.normal = agaa_factNormal(m.normal, planeNormal);
     if (agaa_hasFact(AGAA_FACT_PLANE_NORMALS))

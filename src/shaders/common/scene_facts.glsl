@@ -5,14 +5,16 @@
 
 bool agaa_hasFact(uint fact) { return (AGAA_FACTS & fact) != 0u; }
 
-// Returns the bits of the facts that this material demands or contradicts.
-uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2) {
+// Returns the bits of the facts that this material demands or contradicts. emissiveRange: of the layout. Emission has no
+// other scale, because hosts multiply it by their exposure.
+uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2, float emissiveRange) {
     const float least = 2e-3; // above the rounding of 8 bits
+    float leastEmission = emissiveRange * 7.6e-6; // half a step of 16 bits
     vec3 apart = abs(specular - specular.yzx);
     vec3 other = abs(specular - uintBitsToFloat(AGAA_ONE_SPECULAR));
     uint demands = 0u;
     demands |= max(specular.x, max(specular.y, specular.z)) > least ? AGAA_FACT_SPECULAR : 0u;
-    demands |= max(emissive.x, max(emissive.y, emissive.z)) > least ? AGAA_FACT_EMISSIVE : 0u;
+    demands |= max(emissive.x, max(emissive.y, emissive.z)) > leastEmission ? AGAA_FACT_EMISSIVE : 0u;
     demands |= abs(sqrt(alpha2) - sqrt(uintBitsToFloat(AGAA_ONE_ALPHA2))) > least ? AGAA_FACT_ONE_ROUGHNESS : 0u;
     demands |= max(apart.x, max(apart.y, apart.z)) > least ? AGAA_FACT_GREY_SPECULAR : 0u;
     demands |= max(other.x, max(other.y, other.z)) > least ? AGAA_FACT_ONE_SPECULAR : 0u;

@@ -206,9 +206,9 @@ vec3 agaa_facingNormal(AgaaSurfaceInput s) {
 }
 
 // Replaces the values that the facts of the scene fix.
-void agaa_applyFacts(inout AgaaSurfaceInput s) {
+void agaa_applyFacts(inout AgaaSurfaceInput s, float emissiveRange) {
 #if AGAA_CHECK_FACTS
-    agaa_demands = agaa_demandsOf(s.diffuse, s.specular, s.emissive, s.alpha2) | agaa_demandsOfMask(s) |
+    agaa_demands = agaa_demandsOf(s.diffuse, s.specular, s.emissive, s.alpha2, emissiveRange) | agaa_demandsOfMask(s) |
                    agaa_demandOfNormal(s.normal, agaa_facingNormal(s));
 #endif
     s.normal = agaa_factNormal(s.normal, agaa_facingNormal(s));
@@ -234,7 +234,7 @@ uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     s.alpha2 = agaa_sanitise(s.alpha2, agaa_minAlpha2(), 1.0, bad);
     s.normal = agaa_sanitiseNormal(s.normal, bad);
     AGAA_SANITISE_CUSTOM(s, bad)
-    agaa_applyFacts(s);
+    agaa_applyFacts(s, emissiveRange);
     return bad;
 }
 
