@@ -3,7 +3,7 @@
 // type with the members Context and View.
 #pragma once
 
-#include "view_settings.h"
+#include "shown.h"
 
 #include <gtest/gtest.h>
 
@@ -242,6 +242,33 @@ TYPED_TEST_P(ValidationTest, AnotherCameraMisplaces) {
     }
 }
 
+// Positions that are not finite are nowhere, in every technique, and no such value reaches the image.
+TYPED_TEST_P(ValidationTest, HardCase64PositionsThatAreNotFiniteAreMisplaced) {
+    for (const auto& [technique, samples] : {std::pair{"single", 1u},
+                                             {"fxaa", 1u},
+                                             {"ssaa", 4u},
+                                             {"simple_complex", 4u},
+                                             {"msaa", 4u},
+                                             {"sbaa", 4u},
+                                             {"adaptive", 4u},
+                                             {"agaa", 4u}})
+        for (const char* dividend : {"zero", "1.0"}) {
+            SCOPED_TRACE(std::string(technique) + " " + dividend);
+            ViewSettings settings = validatedSettings();
+            settings.config.technique = technique;
+            settings.config.samples = samples;
+            const std::string surface =
+                std::string("float zero = min(gl_FragCoord.x, 0.0); s.position = vec3(") + dividend + " / zero);";
+            settings.surface = surface.c_str();
+            typename TypeParam::Context context;
+            const Shown shown = show(context, settings, {.triangles = validatedScene()});
+            EXPECT_FALSE(shown.validation.isValid);
+            EXPECT_GE(shown.validation.misplaced, first.pixels() + second.pixels());
+            expectExplanation(shown.validation, "AgaaFrame's camera");
+            EXPECT_EQ(nonFinite(shown.rgb), 0u);
+        }
+}
+
 TYPED_TEST_P(ValidationTest, NothingDrawnIsInvalid) {
     const AgaaFrameValidation v =
         validationOf<TypeParam>(validatedSettings({.prepassSkips = ofAll, .materialSkips = ofAll}));
@@ -252,6 +279,7 @@ TYPED_TEST_P(ValidationTest, NothingDrawnIsInvalid) {
 
 REGISTER_TYPED_TEST_SUITE_P(ValidationTest, ARightFrameIsValid, AnObjectLeftOutIsMissed, AnObjectTooManyIsMulti,
                             DifferentObjectsAreBoth, AnotherPositionIsMissed, AnotherMaskIsMissed,
-                            WithoutTheStencilTestDuplicatesAreTies, AnotherCameraMisplaces, NothingDrawnIsInvalid);
+                            WithoutTheStencilTestDuplicatesAreTies, AnotherCameraMisplaces,
+                            HardCase64PositionsThatAreNotFiniteAreMisplaced, NothingDrawnIsInvalid);
 
 } // namespace agaa::test

@@ -10,7 +10,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
-#include "math/limits.glsl"
 #include "math/statistics.glsl"
 #include "adaptive/sample_features.glsl"
 #include "adaptive/pixel_list.glsl"
@@ -118,6 +117,6 @@ void main() {
         agaa_listPixel(pixel, count > 1u, AGAA_COMPLEX_PIXELS_AT);
     vec3 color = agaa_shadeWork(work);
     if (work.covered != 0u)
-        imageStore(agaa_output, ivec2(pixel), vec4(min(color, vec3(AGAA_MAX_HALF)), 1.0));
+        imageStore(agaa_output, ivec2(pixel), vec4(agaa_representableColor(color), 1.0));
     agaa_countEnd();
 }

@@ -7,7 +7,7 @@
 #endif
 #include "common/background.glsl"
 #include "common/display.glsl"
-#include "math/limits.glsl"
+#include "math/sanitise.glsl"
 
 layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D agaa_output;
 
@@ -19,7 +19,7 @@ void agaa_writeOutput(uvec2 pixel, vec3 color, uint covered) {
         // An empty pixel is exactly the background (hard case 18).
         color = covered == 0u ? below.rgb : color + below.rgb * rest;
     }
-    color = min(color, vec3(AGAA_MAX_HALF)); // the output may be a half float
+    color = agaa_representableColor(color);
     float alpha = AGAA_LUMA_IN_ALPHA != 0u ? agaa_displayLuma(color) : 1.0;
     imageStore(agaa_output, ivec2(pixel), vec4(color, alpha));
 }

@@ -11,7 +11,6 @@ void agaa_count(uint counter, uint amount) { agaa_countFragment(counter, amount)
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
 #include "common/lighting.glsl"
 #include "gbuffer/forward_color.glsl"
-#include "math/limits.glsl"
 
 agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
     agaa_Surface surface;
@@ -27,7 +26,7 @@ agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
 }
 
 void agaa_emit(AgaaSurfaceInput s) {
-    uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
+    uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | (agaa_isFinite3(s.position) ? 0u : 1u);
     bool mayReachFarPlane = agaa_mayReachFarPlane();
     uint kept = 1u;
 #if AGAA_ALPHA_MASKED
@@ -40,7 +39,7 @@ void agaa_emit(AgaaSurfaceInput s) {
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, s.position);
 #endif
-        vec3 color = min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(AGAA_MAX_HALF));
+        vec3 color = agaa_representableColor(agaa_lightSurface(agaa_forwardSurface(s), s.position));
         agaa_out0 = vec4(mayReachFarPlane ? agaa_markFarPlane(color) : color, 1.0);
     }
 #if AGAA_ALPHA_MASKED

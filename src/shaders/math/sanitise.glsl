@@ -2,6 +2,7 @@
 // Source: hard cases 37 (one NaN poisons the aggregate) and 56 (guards a compiler cannot fold).
 #ifndef AGAA_MATH_SANITISE_GLSL
 #define AGAA_MATH_SANITISE_GLSL
+#include "limits.glsl"
 #include "real.glsl"
 
 bool agaa_isFinite(real x) {
@@ -30,6 +31,16 @@ rvec3 agaa_sanitise3(rvec3 v, real lo, real hi, INOUT(uint) bad) {
     result.y = agaa_sanitise(v.y, lo, hi, bad);
     result.z = agaa_sanitise(v.z, lo, hi, bad);
     return result;
+}
+
+// Returns a value that a half float holds: 0 for NaN and negative infinity.
+real agaa_representable(real x) {
+    return agaa_isFinite(x) ? clamp(x, -AGAA_MAX_HALF, AGAA_MAX_HALF) : x > real(0.0) ? AGAA_MAX_HALF : real(0.0);
+}
+
+// The last guard of colours, which finite materials at non-finite positions reach.
+rvec3 agaa_representableColor(rvec3 color) {
+    return rvec3(agaa_representable(color.x), agaa_representable(color.y), agaa_representable(color.z));
 }
 
 // Returns radiance in [0, range]. Brighter emission is scaled so that its largest channel is `range`, because clamping
