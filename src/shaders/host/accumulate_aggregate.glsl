@@ -105,7 +105,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint claimed = agaa_orWord(claim, mask) & mask;
     if (claimed != 0u)
         agaa_countFragment(AGAA_COUNT_TIES, uint(bitCount(claimed)));
-    mask &= ~claimed;
+    mask = agaa_freshSamples(mask, claimed);
     if (mask == 0u)
         return;
     uint first = uint(findLSB(mask));
@@ -124,7 +124,7 @@ void agaa_emit(AgaaSurfaceInput s) {
         // The first fragment keeps the sample: coplanar duplicates must not count twice (hard case 25).
         uint before = agaa_orWord(base + (AGAA_FIELD_COVERAGE & 0xFFu), part << coverageShift) >>
                       coverageShift;
-        uint fresh = part & ~before;
+        uint fresh = agaa_freshSamples(part, before);
         if (fresh != part)
             agaa_countFragment(AGAA_COUNT_TIES, uint(bitCount(part & before)));
         if (fresh == 0u)

@@ -19,6 +19,12 @@ uint agaa_samplesOfAggregate(uvec2 planes, uint aggregate) {
     return low & high;
 }
 
+// Returns the samples of a fragment that no earlier fragment has claimed. Coplanar duplicates all pass a depth test of
+// equality, but each sample counts once (hard case 25).
+uint agaa_freshSamples(uint fragment, uint claimed) {
+    return fragment & ~claimed;
+}
+
 // Returns the planes as stored: in one channel if they fit in 32 bits, otherwise one per channel.
 uvec2 agaa_storedPlanes(uvec2 planes, uint n, uint c) {
     if (c <= 2u) {
