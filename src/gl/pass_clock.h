@@ -2,6 +2,7 @@
 // the CPU's clock around glFinish.
 #pragma once
 
+#include "core/base/timestamps.h"
 #include "gl/context.h"
 
 #include <chrono>
@@ -9,11 +10,9 @@
 
 namespace agaa::gl {
 
-// Returns the difference of two timestamps of counters with `bits` bits in [1, 64], which wrap. The result can be
-// negative: a pass that began but did not end keeps the end of an earlier frame.
+// Returns elapsedTicks(), which are nanoseconds in OpenGL, in milliseconds.
 inline double millisecondsBetween(GLuint64 begin, GLuint64 end, uint32_t bits) {
-    const uint32_t unused = 64 - bits;
-    return double(int64_t((end - begin) << unused) >> unused) * 1e-6;
+    return double(elapsedTicks(begin, end, bits)) * 1e-6;
 }
 
 class PassClock {

@@ -112,8 +112,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc,
     constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     require((properties[queueFamily].queueFlags & needed) == needed, AGAA_ERROR_UNSUPPORTED,
             "the queue family does not do both graphics and compute.");
-    const uint32_t bits = properties[queueFamily].timestampValidBits;
-    timestampMask = bits >= 64 ? ~UINT64_C(0) : (UINT64_C(1) << bits) - 1;
+    timestampBits = std::min(properties[queueFamily].timestampValidBits, 64u);
     timestampPeriod = limits.timestampPeriod;
     granularity = limits.bufferImageGranularity;
     if (!limits.standardSampleLocations)

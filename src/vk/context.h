@@ -33,7 +33,7 @@ public:
     VkDeviceSize maxAllocation = 0;
     VkDeviceSize granularity = 1; // bytes, bufferImageGranularity
     float timestampPeriod = 0;    // nanoseconds per tick
-    uint64_t timestampMask = 0;   // 0: the queue has no timestamps
+    uint32_t timestampBits = 0;   // width of the counter in [0, 64]; 0: the queue has no timestamps
     VkSampler texelSampler = VK_NULL_HANDLE;
     VkSampler linearSampler = VK_NULL_HANDLE;
     VkSampler shadowSampler = VK_NULL_HANDLE;

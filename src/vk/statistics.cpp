@@ -1,4 +1,5 @@
 // Access to mapped buffers, and statistics of finished frames.
+#include "core/base/timestamps.h"
 #include "vk/view.h"
 
 #include <cstring>
@@ -26,9 +27,8 @@ std::vector<double> View::readPassTimes(uint32_t slot) const {
                                        stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t),
                                        VK_QUERY_RESULT_64_BIT) != VK_SUCCESS)
         return times;
-    // The mask makes the difference correct if the counter wrapped.
     for (size_t i = 0; i < passes.size(); ++i)
-        times.push_back(double((stamps[2 * i + 1] - stamps[2 * i]) & context.timestampMask) *
+        times.push_back(double(elapsedTicks(stamps[2 * i], stamps[2 * i + 1], context.timestampBits)) *
                         double(context.timestampPeriod) * 1e-6);
     return times;
 }

@@ -207,6 +207,6 @@ bool View::usesHostSet(const Pass& pass) const {
     return pass.kind() == PassKind::Compute && !pass.compute().hostCode.empty() && plan.view.functionSetLayout != 0;
 }
 
-bool View::timed() const { return (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0; }
+bool View::timed() const { return (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampBits != 0; }
 
 } // namespace agaa::vk

@@ -1,4 +1,4 @@
-// Hard cases 14 to 16, 20, 22 and 41 of docs/numerics.md: variances, depth buffers and positions.
+// Hard cases 14 to 16, 20, 22, 26 and 41 of docs/numerics.md: variances, depth buffers and positions.
 #include <algorithm>
 #include <cfloat>
 
@@ -196,6 +196,36 @@ TEST(HardCase22_LargeCoordinates, PositionsRelativeToTheCamera) {
         figures.add(std::abs(double(glm::length(world[0] - world[1])) - distance),
                     std::abs(double(glm::length(ours[0] - ours[1])) - distance));
     }
+}
+
+TEST(HardCase26_TwoPassesOfUnequalDepth, OneExpressionInBoth) {
+    // The SDK cannot force the host's vertex shaders. It requires one expression in both passes, and counts the samples
+    // that differ (tests/stages_support/validation_cases.h).
+    Random random(126);
+    HardCaseFigures figures(26, "share of vertices whose depth differs between two passes", 0.0);
+    Share separate, equal;
+    glm::mat4 projection(0), camera(1), object(1);
+    projection[0][0] = 1;
+    projection[1][1] = 1.7f;
+    projection[2][2] = -1.0001f;
+    projection[2][3] = -1;
+    projection[3][2] = -0.10001f;
+    for (int i = 0; i < 100000; ++i) {
+        if (i % 100 == 0) {
+            camera[0] = {0.8f, 0, 0.6f, 0};
+            camera[2] = {-0.6f, 0, 0.8f, 0};
+            camera[3] = glm::vec4(glm::vec3(random.direction() * 10.0), 1);
+            object[3] = glm::vec4(glm::vec3(random.direction() * 100.0), 1);
+        }
+        const glm::vec4 vertex(glm::vec3(random.direction() * random.decades(0.1, 10)), 1);
+        const auto depthOf = [](const glm::vec4& clip) { return clip.z / clip.w; };
+        const glm::mat4 all = projection * camera * object;
+        const float prepass = depthOf(all * vertex), again = depthOf(all * vertex);
+        separate.add(depthOf(projection * (camera * (object * vertex))) != prepass);
+        equal.add(again != prepass);
+    }
+    figures.naive(separate.value());
+    figures.ours(equal.value(), equal.inputs());
 }
 
 TEST(HardCase41_ShadowTapsBehindTheEye, TapsStayWithinTheSamples) {

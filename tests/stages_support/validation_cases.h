@@ -187,7 +187,7 @@ TYPED_TEST_P(ValidationTest, DifferentObjectsAreBoth) {
     expectExplanation(v, "draw different objects");
 }
 
-// Positions of the material pass differ by a few units in the last place.
+// Hard case 26: positions of the material pass differ by a few units in the last place.
 TYPED_TEST_P(ValidationTest, AnotherPositionIsMissed) {
     const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings({.materialDepth = 1 + 0x1p-20f}));
     expectInvalid(v, visibleSamples, visibleSamples, 0);

@@ -1,5 +1,7 @@
 #include "core/reports/frame_statistics.h"
 
+#include "core/base/timestamps.h"
+
 #include <cstring>
 
 namespace agaa {
@@ -49,8 +51,8 @@ AgaaResult frameStatistics(const ViewState& view, uint64_t completedFrame, AgaaF
         time = {};
         std::strncpy(time.name, plan.passes[i].name.c_str(), sizeof time.name - 1);
         time.stage = plan.passes[i].stage;
-        time.isTimed = !times.empty();
-        time.milliseconds = times.empty() ? 0 : times[i];
+        time.isTimed = !times.empty() && isPassTime(times[i]);
+        time.milliseconds = time.isTimed ? times[i] : 0;
     }
     return AGAA_OK;
 }
