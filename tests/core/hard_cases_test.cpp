@@ -40,6 +40,36 @@ uint32_t fieldOf(uint32_t word, const Field& field, uint32_t n) {
 
 } // namespace
 
+// The table of docs/numerics.md.
+TEST(HardCase31_RoundingOfSums, LayoutsKeepTheBitsOfTheGuide) {
+    struct Row {
+        const char* layout;
+        Channel channel;
+        double errors[5];
+    };
+    const uint32_t samples[] = {1, 4, 8, 16, 32};
+    for (const auto& [name, channel, errors] :
+         {Row{"precise", ChannelDiffuseR, {7.6e-6, 3.1e-5, 6.1e-5, 1.2e-4, 2.4e-4}},
+          {"precise", ChannelSpecularB, {7.6e-6, 3.1e-5, 6.1e-5, 1.2e-4, 2.4e-4}},
+          {"precise", ChannelNormalX, {1.5e-5, 6.1e-5, 1.2e-4, 2.4e-4, 4.9e-4}},
+          {"precise", ChannelRoughness, {7.6e-6, 7.6e-6, 7.6e-6, 7.6e-6, 7.6e-6}},
+          {"precise", ChannelEmissiveB, {7.6e-6, 7.6e-6, 7.6e-6, 7.6e-6, 7.6e-6}},
+          {"paper16", ChannelDiffuseG, {4.9e-4, 4.9e-4, 4.9e-4, 4.9e-4, 4.9e-4}},
+          {"paper16", ChannelNormalZ, {1.5e-5, 1.5e-5, 1.5e-5, 1.5e-5, 1.5e-5}},
+          {"paper16", ChannelSpecularR, {7.6e-6, 7.6e-6, 7.6e-6, 7.6e-6, 7.6e-6}},
+          {"paper16", ChannelSpecularG, {2.0e-3, 2.0e-3, 2.0e-3, 2.0e-3, 2.0e-3}},
+          {"paper16", ChannelEmissiveR, {2.0e-3, 2.0e-3, 2.0e-3, 2.0e-3, 2.0e-3}},
+          {"dcaa28", ChannelDiffuseR, {2.0e-3, 2.0e-3, 2.0e-3, 2.0e-3, 2.0e-3}},
+          {"dcaa28", ChannelRoughness, {2.0e-3, 2.0e-3, 2.0e-3, 2.0e-3, 2.0e-3}}}) {
+        const AgaaLayout layout = builtinLayout(name);
+        for (size_t i = 0; i < std::size(samples); ++i) {
+            const Field field = packAggregate(checkLayout(&layout), samples[i]).fields[channel];
+            const double codes = field.isSigned ? (1u << (field.bits - 1)) - 1 : largestCode(field);
+            EXPECT_NEAR(0.5 / codes, errors[i], 0.04 * errors[i]) << name << ' ' << channel << " n=" << samples[i];
+        }
+    }
+}
+
 TEST(HardCase36_CarriesBetweenPackedFields, FieldsHoldTheSums) {
     Random random(836);
     HardCaseFigures figures(36, "error of a packed sum of n values, in its largest code", 0.0);

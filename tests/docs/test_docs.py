@@ -160,30 +160,83 @@ class Guides(unittest.TestCase):
 
 
 class HardCases(unittest.TestCase):
+    FIGURES = '{"case": %d, "measure": "error", "naive": "not finite", "ours": 2e-7, "bound": 1e-6, "inputs": 100000}'
+    CELLS = " | error | not finite | 2e-7 | 1e-6 | 100,000 | "
+
     def check(self, *arguments):
         return subprocess.run([sys.executable, HARD_CASES, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               text=True)
 
-    def test_table_names_the_tests_that_cite_each_case(self):
+    def folder(self, cases):
+        """A source tree of a table of these cases, with figures, and the paths of its table, a test and a program."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        root = pathlib.Path(folder.name)
+        for name in ("docs/results", "tests/math", "build/bin"):
+            (root / name).mkdir(parents=True)
+        rows = "".join(f"| {case} | failure | form | code |\n" for case in cases)
+        (root / "docs/numerics.md").write_text(f"| case | failure |\n|---|---|\n{rows}")
+        (root / "docs/results/hard-cases.json").write_text(f"[{', '.join(self.FIGURES % case for case in cases)}]")
+        (root / "tests/math/a_test.cpp").write_text("".join(f"TEST(HardCase0{case}_A, B) {{}}\n" for case in cases))
+        return root
+
+    def program(self, root, *figures):
+        """Programs of which the first one prints these figures."""
+        for name, lines in (("test_math_numeric", figures), ("test_core_unit", ())):
+            path = root / "build/bin" / name
+            path.write_text("#!/bin/sh\n" + "".join(f"echo '[hard case] {line}'\n" for line in lines))
+            path.chmod(0o755)
+
+    def test_tables_are_current_and_complete(self):
         result = self.check()
         self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_stale_tables_and_unknown_cases_fail(self):
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            (root / "docs").mkdir()
-            (root / "tests").mkdir()
-            document, test = root / "docs" / "numerics.md", root / "tests" / "a_test.cpp"
-            table = "".join(f"| {case} | failure | form | code | none |\n" for case in range(1, 5))
-            document.write_text(table)
-            self.assertEqual(self.check("--root", root).returncode, 0)
-            test.write_text("TEST(HardCase02_A, B) {\n} // docs/numerics.md, cases 3 and 4\n")
-            self.assertRegex(self.check("--root", root).stderr, "not current.*: 2, 3, 4")
-            self.assertEqual(self.check("--root", root, "--update").returncode, 0)
-            self.assertEqual(document.read_text(), table.replace("none", "`tests/a_test.cpp`").replace(
-                "code | `tests/a_test.cpp`", "code | none", 1))
-            test.write_text("// hard cases 1 to 5\n")
-            self.assertRegex(self.check("--root", root).stderr, r"lacks cases.*: 5 \(tests/a_test.cpp\)")
+        root = self.folder([1, 2])
+        self.assertRegex(self.check("--root", root).stderr, "not current.*: 1, 2")
+        self.assertEqual(self.check("--root", root, "--update").returncode, 0)
+        self.assertEqual(self.check("--root", root).returncode, 0)
+        table = (root / "docs/numerics.md").read_text()
+        self.assertIn(f"| 2 | failure | form | code{self.CELLS}math | `tests/math/a_test.cpp` |\n", table)
+        self.assertIn("| case | failure | stable form | code | error | naive | ours | bound | inputs | APIs | tests |",
+                      table)
+        (root / "tests/stages_support").mkdir()
+        (root / "tests/stages_support/b.h").write_text("// docs/numerics.md, cases 1 and 2\n")
+        self.assertRegex(self.check("--root", root).stderr, "not current.*: 1, 2")
+        self.assertEqual(self.check("--root", root, "--update").returncode, 0)
+        self.assertIn("| math, Vulkan, OpenGL | `tests/math/a_test.cpp`, `tests/stages_support/b.h` |",
+                      (root / "docs/numerics.md").read_text())
+        (root / "tests/stages_support/b.h").write_text("// hard cases 1 to 3\n")
+        self.assertRegex(self.check("--root", root).stderr, r"lacks cases.*: 3 \(tests/stages_support/b.h\)")
+
+    def test_cases_without_test_or_figures_fail(self):
+        root = self.folder([1, 2])
+        (root / "tests/math/a_test.cpp").write_text("TEST(HardCase01_A, B) {} // hard case 2\n")
+        self.assertRegex(self.check("--root", root, "--update").stderr, "without a test by number: 2")
+        self.assertRegex(self.check("--root", root).stderr, "without a test by number: 2")
+        root = self.folder([1, 2])
+        (root / "docs/results/hard-cases.json").write_text(f"[{self.FIGURES % 1}]")
+        self.assertRegex(self.check("--root", root, "--update").stderr, "without figures: 2")
+
+    def test_measured_figures_are_kept_with_two_digits(self):
+        root = self.folder([1])
+        self.program(root, (self.FIGURES % 1).replace("2e-7", "3.456e-7"))
+        self.assertEqual(self.check("--root", root, "--measure", root / "build").returncode, 0)
+        self.assertEqual(json.loads((root / "docs/results/hard-cases.json").read_text())[0]["ours"], 3.5e-7)
+        self.assertIn("| not finite | 3.5e-7 |", (root / "docs/numerics.md").read_text())
+        self.program(root, self.FIGURES % 1, self.FIGURES % 1)
+        self.assertRegex(self.check("--root", root, "--measure", root / "build").stderr, "1 has the figures of two")
+
+    def test_figures_of_another_magnitude_differ(self):
+        root = self.folder([1, 2])
+        for printed, differs in (("2e-7", False), ("9e-7", False), ("4e-8", False), ("3e-9", True), ("4e-6", True)):
+            self.program(root, self.FIGURES % 1, (self.FIGURES % 2).replace("2e-7", printed))
+            result = self.check("--root", root, "--compare", root / "build")
+            self.assertEqual(result.returncode, int(differs), printed)
+            if differs:
+                self.assertRegex(result.stderr, r"not what the tests print.*: 2\.")
+        self.program(root, self.FIGURES % 1)
+        self.assertRegex(self.check("--root", root, "--compare", root / "build").stderr, "print.*: 2")
 
 
 class Format(unittest.TestCase):

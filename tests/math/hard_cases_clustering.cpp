@@ -16,23 +16,29 @@ TEST(HardCase17_GeometryAtTheFarPlane, CountsByItsCoverageBit) {
     Random random(317);
     HardCaseFigures figures(17, "covered samples of a pixel that are lost", 0.0);
     for (int i = 0; i < 100000; ++i) {
-        // Distant geometry of a forward projection, whose depth rounds to the value that was cleared.
-        const float p22 = i % 2 ? -1.0f : -10.0f / 9.9f;
+        // Distant geometry of a forward projection, whose depth rounds to the value that was cleared, behind near
+        // geometry.
+        const float p22 = i % 2 ? -1.0f : -10000.0f / 9999.9f;
         std::vector<Sample> pixel;
-        unsigned lostByDepth = 0, covered = 0;
+        std::vector<bool> isFar;
+        unsigned lostByDepth = 0, lost = 0;
         for (unsigned s = 0; s < 8; ++s) {
-            const float depth = random.below(2) ? 1.0f : random.rangeF(0.5, 1);
+            isFar.push_back(random.below(2));
+            const float depth = isFar[s] ? 1.0f : random.rangeF(0.5, 0.99);
             const float z = math_f::agaa_viewZFromDepth(depth, p22, 0.1f * p22, 0);
             pixel.push_back(makeSample({0, 0, double(z)}, {0, 0, 1}, s));
             pixel.back().covered = random.below(4) != 0;
-            covered += pixel.back().covered;
             lostByDepth += pixel.back().covered && depth == 1.0f;
         }
         const auto r = runF(pixel, 4, kK, kT);
-        unsigned kept = 0;
-        for (unsigned s = 0; s < 8; ++s)
-            kept += pixel[s].covered && r.ids[s] < r.count;
-        figures.add(lostByDepth, covered - kept);
+        // A far sample is kept if it has an aggregate, without near samples.
+        for (unsigned s = 0; s < 8; ++s) {
+            bool isKept = r.ids[s] < r.count;
+            for (unsigned other = 0; other < 8; ++other)
+                isKept = isKept && (!pixel[other].covered || isFar[other] == isFar[s] || r.ids[other] != r.ids[s]);
+            lost += pixel[s].covered && isFar[s] && !isKept;
+        }
+        figures.add(lostByDepth, lost);
     }
     // Depth exactly at the far value, finite and infinite far plane: covered is covered.
     for (float p22 : {-1.0f, -10.0f / 9.9f}) {

@@ -43,7 +43,7 @@ TEST(HardCase39_LightAtTheSurface, ExtremesAreFinite) {
 
 TEST(HardCase40_EqualSpotCones, StepWithoutNaN) {
     Random random(640);
-    HardCaseFigures figures(40, "error of the share of light", 2e-3);
+    HardCaseFigures figures(40, "error of the share of light", 1e-5);
     for (int i = 0; i < 100000; ++i) {
         const float outer = random.rangeF(-1, 1), inner = i % 2 ? outer : random.rangeF(outer, 1);
         const float x = i % 4 == 1 ? outer : random.rangeF(-1, 1);

@@ -62,6 +62,7 @@ TEST_P(Scenes, ImagesRepeatBitByBit) {
     expectImagesRepeat(sharedRenderer(), settings());
 }
 
+// Hard case 35.
 TEST_P(Scenes, DrawOrderMattersOnlyWhereDepthsTie) {
     RenderSettings s = settings();
     const Image ordered = sharedRenderer().render(s).image;

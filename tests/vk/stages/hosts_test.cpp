@@ -278,7 +278,7 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
     EXPECT_EQ(agaaGetSurface(view.get(), "nothing", &common), AGAA_ERROR_INVALID_ARGUMENT);
 }
 
-// Where no two triangles tie, the order of drawing changes no bit.
+// Hard case 35: if no two triangles tie, the order of drawing changes no bit.
 TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
     if (std::string(GetParam()) == "fxaa")
         GTEST_SKIP() << "a filter carries ties to pixels around them";
