@@ -4,7 +4,9 @@
 #include "agreement.h"
 #include "hard_case_test.h"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 
 namespace agaa::test {
@@ -278,6 +280,26 @@ TYPED_TEST_P(HardGeometryCases, HardCase25CoplanarDrawsOfMsaaShowTheFirst) {
     }
 }
 
+// Sums of integers do not depend on the order of the fragments. Only samples where two fragments have equal depth may
+// change.
+TYPED_TEST_P(HardGeometryCases, HardCase35OrderOfDrawsChangesNoSum) {
+    const std::vector<Triangle> scene = randomTriangles({.triangles = 200}, 35);
+    std::vector<Triangle> shuffled = scene;
+    std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(35));
+    for (const Setting& s : {Setting{"agaa", 8}, {"agaa", 32}}) {
+        ViewSettings view;
+        view.config.technique = s.technique;
+        view.config.samples = s.n;
+        view.config.measurement.flags = AGAA_MEASURE_NO_STENCIL; // so that ties are counted
+        const Shown first = this->render(view, scene, {sun()}), second = this->render(view, shuffled, {sun()});
+        uint64_t changed = 0;
+        for (size_t i = 0; i < first.rgb.size(); i += 3)
+            changed += std::memcmp(&first.rgb[i], &second.rgb[i], 3 * sizeof(float)) != 0;
+        EXPECT_LE(changed, first.counters.ties) << s;
+        EXPECT_LE(first.counters.ties, first.counters.visible / 1000) << s;
+    }
+}
+
 // The same image at any size, by one pixel and by many.
 TYPED_TEST_P(HardGeometryCases, HardCase55OddSizesAreWhole) {
     for (const Setting& s : hardSettings)
@@ -300,6 +322,6 @@ REGISTER_TYPED_TEST_SUITE_P(HardGeometryCases, HardCase18AnEmptyFrameIsTheBackgr
                             HardCase17SurfacesPutAtTheFarPlaneAreBackground, HardCase19OneCoveredSampleIsThatSample,
                             HardCase48And50DegenerateTriangles, HardCase48SliversCountOnce,
                             HardCase25RoutedDuplicatesCountOnce, HardCase25CoplanarDrawsOfMsaaShowTheFirst,
-                            HardCase55OddSizesAreWhole);
+                            HardCase35OrderOfDrawsChangesNoSum, HardCase55OddSizesAreWhole);
 
 } // namespace agaa::test

@@ -45,6 +45,23 @@ TYPED_TEST_P(RecordingCases, OnlyTheFramesShadowMapsAreUsed) {
     }
 }
 
+// A map shadows points in front of its eye only. Behind it, where w < 0, the division would read the mirrored map.
+TYPED_TEST_P(RecordingCases, HardCase41PointsBehindTheEyeOfAMapAreLit) {
+    BenchOf<TypeParam> bench;
+    bench.shadow = shadowAt(0.75f);
+    const std::vector<float> shadowed = bench.picture();
+    bench.shadow.matrices[0][14] = -0.75f;
+    bench.shadow.matrices[0][15] = -1;
+    const std::vector<float> behind = bench.picture();
+    bench.shadow.matrices[0][15] = 0;
+    const std::vector<float> atTheEye = bench.picture();
+    bench.light.shadowMap = AGAA_NO_SHADOW;
+    const std::vector<float> lit = bench.picture();
+    EXPECT_NE(shadowed, lit);
+    EXPECT_EQ(behind, lit);
+    EXPECT_EQ(atTheEye, lit);
+}
+
 // The slots of frames in flight, and the statistics that they keep.
 TYPED_TEST_P(RecordingCases, FramesInFlightAreARing) {
     for (const uint32_t slots : {1u, 3u, 8u}) {
@@ -119,7 +136,8 @@ TYPED_TEST_P(RecordingCases, CountsOfFragmentsCarryIntoTheirHighWord) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(RecordingCases, OnlyTheFramesShadowMapsAreUsed, FramesInFlightAreARing,
-                            StatisticsWaitForACompletedFrame, CountsOfFragmentsCarryIntoTheirHighWord);
+REGISTER_TYPED_TEST_SUITE_P(RecordingCases, OnlyTheFramesShadowMapsAreUsed, HardCase41PointsBehindTheEyeOfAMapAreLit,
+                            FramesInFlightAreARing, StatisticsWaitForACompletedFrame,
+                            CountsOfFragmentsCarryIntoTheirHighWord);
 
 } // namespace agaa::test

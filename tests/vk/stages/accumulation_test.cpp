@@ -140,6 +140,7 @@ void expectExactSums(StageContext& context, const Case& c, const std::vector<Tri
     EXPECT_EQ(counters.overlapping, 0u);
 }
 
+// Hard cases 29 to 31: no id is lost, and no sum is rounded.
 TEST(Accumulation, IsExactForEverySampleAndAggregateCount) {
     StageContext context;
     const auto scene = randomTriangles({.triangles = 300}, 1);
