@@ -280,6 +280,56 @@ TYPED_TEST_P(HardGeometryCases, HardCase25CoplanarDrawsOfMsaaShowTheFirst) {
     }
 }
 
+// A sheet of triangles hides walls that are seen edge-on, whose depths change by the whole range within a pixel, and a
+// plane. Walls must not merge with the sheet, and nothing may leak at the edges of its triangles.
+TYPED_TEST_P(HardGeometryCases, HardCase46And52NothingLeaksThroughASheet) {
+    std::mt19937 random(46);
+    const auto uniform = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    Material sheet = facing({0, 0, 0}), behind = sheet;
+    sheet.emissive = glm::vec4(0, 0, 1, 0);
+    behind.emissive = glm::vec4(1, 0, 0, 0);
+    constexpr int columns = 12, rows = 8;
+    glm::vec3 grid[rows + 1][columns + 1];
+    for (int r = 0; r <= rows; ++r)
+        for (int c = 0; c <= columns; ++c)
+            grid[r][c] = {4.0f * float(c) - 6 + uniform(-0.9f, 0.9f), 4.0f * float(r) - 6 + uniform(-0.9f, 0.9f),
+                          uniform(-3, -2)};
+    std::vector<Triangle> scene = rectangle(-10, -10, 42, 26, 9.5f, behind);
+    for (int i = 0; i < 40; ++i) {
+        Triangle wall;
+        const float x = uniform(0, 32), width = i % 2 ? 1e-3f : 0.05f;
+        wall.position[0] = {x, -5, -4};
+        wall.position[1] = {x + uniform(-1, 1), 21, -4};
+        wall.position[2] = wall.position[1] + glm::vec3(width, 0, -5);
+        wall.material = behind;
+        scene.push_back(wall);
+    }
+    for (int r = 0; r < rows; ++r)
+        for (int c = 0; c < columns; ++c)
+            for (const bool isSecond : {false, true}) {
+                Triangle t;
+                t.position[0] = grid[r][c];
+                t.position[1] = isSecond ? grid[r + 1][c + 1] : grid[r][c + 1];
+                t.position[2] = isSecond ? grid[r + 1][c] : grid[r + 1][c + 1];
+                t.material = sheet;
+                scene.push_back(t);
+            }
+    for (const Setting& s : {Setting{"agaa", 8}, {"dcaa", 64}, {"agaa", 64, AGAA_TIER_FRAGMENTS}}) {
+        const Shown r = this->render(pixelView(s, 4), scene, {});
+        double leaked = 0, shown = 0;
+        for (size_t i = 0; i < r.rgb.size(); i += 3) {
+            leaked += double(r.rgb[i]) * s.n;
+            shown += double(r.rgb[i + 2]);
+        }
+        EXPECT_NEAR(shown, 32 * 16, 0.1) << s;
+        // Near a vertex rounded edges may miss a sample.
+        EXPECT_LE(leaked, 2.01) << s;
+        EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
+    }
+}
+
 // Sums of integers do not depend on the order of the fragments. Only samples where two fragments have equal depth may
 // change.
 TYPED_TEST_P(HardGeometryCases, HardCase35OrderOfDrawsChangesNoSum) {
@@ -322,6 +372,7 @@ REGISTER_TYPED_TEST_SUITE_P(HardGeometryCases, HardCase18AnEmptyFrameIsTheBackgr
                             HardCase17SurfacesPutAtTheFarPlaneAreBackground, HardCase19OneCoveredSampleIsThatSample,
                             HardCase48And50DegenerateTriangles, HardCase48SliversCountOnce,
                             HardCase25RoutedDuplicatesCountOnce, HardCase25CoplanarDrawsOfMsaaShowTheFirst,
-                            HardCase35OrderOfDrawsChangesNoSum, HardCase55OddSizesAreWhole);
+                            HardCase46And52NothingLeaksThroughASheet, HardCase35OrderOfDrawsChangesNoSum,
+                            HardCase55OddSizesAreWhole);
 
 } // namespace agaa::test
