@@ -33,7 +33,7 @@ CITING = "src", "include", "samples", "conformance", "tests", "benchmark", "tool
 SUFFIXES = ".h", ".c", ".cpp", ".inc", ".glsl", ".comp", ".py"
 PROGRAMS = "bin/test_math_numeric", "bin/test_core_unit"
 FILTER = "*HardCase*"
-# What runs the tests of a folder, in the order of the column "APIs".
+# The entries of the column "APIs" for tests below a folder, in their order there.
 APIS = {"tests/math/": ("math",), "tests/core/": ("core",), "tests/vk/": ("Vulkan",), "tests/gl/": ("OpenGL",),
         "tests/stages_support/": ("Vulkan", "OpenGL"), "tests/scenes_support/": ("Vulkan", "OpenGL")}
 # The first four cells of a row are written by hand, the others by this tool.

@@ -229,7 +229,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
         view.config.flags = AGAA_CONFIG_SPLIT_SURFACES;
         view.config.measurement.flags = routes ? AGAA_MEASURE_FIRST_SAMPLE_ROUTING : 0;
         const Shown r = this->render(view, scene, {sun()});
-        // Which is a fragment's first sample depends on the places of samples.
+        // A fragment's first sample depends on the positions of the samples.
         const double several = routes && !isInOrder(typename TypeParam::Context().caps()) ? 1.5 : 2;
         EXPECT_GT(double(r.counters.shadingEvents), several * double(r.counters.shadedPixels))
             << "there are several aggregates";
@@ -240,8 +240,8 @@ TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
     }
 }
 
-// Of coplanar draws `msaa` shows what was drawn first in each sample, as techniques with a G-buffer do, masked
-// materials included, whose stencil test would come before their mask.
+// `msaa` shows the first of coplanar draws in each sample, like techniques with a G-buffer. This includes masked
+// materials, whose stencil test would come before their mask.
 TYPED_TEST_P(HardGeometryCases, HardCase25CoplanarDrawsOfMsaaShowTheFirst) {
     struct Layer {
         glm::vec3 colour;

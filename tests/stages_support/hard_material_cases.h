@@ -123,7 +123,7 @@ TYPED_TEST_P(HardMaterialCases, HardCase39And40LightsInSurfaces) {
     }
 }
 
-// What the scene does not call for is not evaluated: no Fresnel term of a reflectance of 0 along a grazing surface.
+// Effects that the scene does not need are not evaluated: a reflectance of 0 has no Fresnel term at grazing angles.
 TYPED_TEST_P(HardMaterialCases, WithoutSpecularLightIsDiffuse) {
     const float far = std::sin(1.396263f), near = std::cos(1.396263f); // of 80 degrees, to the eye and to the light
     Material m = facing({0.2f, 0.4f, 0.8f});

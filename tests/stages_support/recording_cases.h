@@ -23,7 +23,8 @@ inline AgaaResult AGAA_CALL throwingDraw(void*, const AgaaDrawTarget*) { throw s
 template <class Host> class RecordingCases : public testing::Test {};
 TYPED_TEST_SUITE_P(RecordingCases);
 
-// What lies in the API's struct beyond the frame's shadows is not used, but for Vulkan's first declared map.
+// The API's struct may have more maps than the frame has shadows. They are not used, except the first declared map of
+// Vulkan.
 TYPED_TEST_P(RecordingCases, OnlyTheFramesShadowMapsAreUsed) {
     ViewSettings settings = benchSettings();
     settings.facts.shadowMapCount = 2;

@@ -142,7 +142,7 @@ TYPED_TEST_P(ValidationTest, ARightFrameIsValid) {
             expectExplanation(v, "in the material pass");
         }
     }
-    // What a second pass could do wrong is not said of frames without one.
+    // Frames without a second pass are not told of mistakes that only a second pass can make.
     for (const TwoPasses& onePass : {TwoPasses{"agaa", AGAA_TIER_GBUFFER}, TwoPasses{"ssaa", AGAA_TIER_AUTO}}) {
         const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings(onePass));
         expectValid(v, visibleSamples);
@@ -210,7 +210,7 @@ TYPED_TEST_P(ValidationTest, AnotherMaskIsMissed) {
     expectExplanation(v, "alpha mask");
 }
 
-// Of duplicates at the same depth the first is kept in either way: it costs, but nothing is wrong.
+// The first of duplicates at one depth is kept in either way: the others cost time, but nothing is wrong.
 TYPED_TEST_P(ValidationTest, WithoutTheStencilTestDuplicatesAreTies) {
     std::vector<Triangle> scene = validatedScene();
     scene.insert(scene.end(), scene.begin(), scene.begin() + 2);
