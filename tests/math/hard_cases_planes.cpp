@@ -147,8 +147,12 @@ TEST(HardCase52_PrepassOfFewerSamples, NothingLeaksAtEdges) {
         const Vertices halves[] = {{at(-20, 0), at(20, 0), at(20, width)}, {at(-20, 0), at(20, width), at(-20, width)}};
         const glm::uvec4 near = mask(halves[0], centre, 64) | mask(halves[1], centre, 64);
         // The depths are planes of the pixel: the near one in front of the far one everywhere.
-        const glm::vec3 nearPlane(0.4f, random.rangeF(-0.05, 0.05), random.rangeF(-0.05, 0.05));
-        const glm::vec3 farPlane(0.6f, random.rangeF(-0.05, 0.05), random.rangeF(-0.05, 0.05));
+        const auto plane = [&](float depth) {
+            const glm::vec2 slope(random.rangeF(-0.05, 0.05), random.rangeF(-0.05, 0.05));
+            const float reach = 0.5f * (std::abs(slope.x) + std::abs(slope.y));
+            return math_f::agaa_DepthPlane{depth, slope, {depth - reach, depth + reach}};
+        };
+        const math_f::agaa_DepthPlane nearPlane = plane(0.4f), farPlane = plane(0.6f);
         const glm::uvec4 hidden = math_f::agaa_samplesBehind(farPlane, nearPlane, near, false, 64);
         unsigned leaked = 0;
         for (unsigned s = 0; s < 64; ++s) {

@@ -99,6 +99,8 @@ agaa_PixelWork agaa_workOf(uvec2 pixel, agaa_Comparison c, uint count) {
 vec3 agaa_shadeEvent(uint lane, uint i) {
     uvec2 pixel = agaa_pixelOf(lane);
     agaa_findVisibility(pixel, agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS) ? 1u << i : agaa_represented[lane]);
+    if (!agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
+        agaa_findSpread(pixel, i, agaa_represented[lane]);
     agaa_fetchEvent(pixel, i, agaa_represented[lane]);
     return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i));
 }

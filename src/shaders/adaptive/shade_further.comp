@@ -117,6 +117,8 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     uint samples = agaa_samplesOfLane(lane, i);
     float weight = agaa_eventWeight(samples);
     agaa_findVisibility(pixel, agaa_shadowedSamples(lane, i, samples));
+    if (!agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
+        agaa_findSpread(pixel, i, samples);
     agaa_fetchEvent(pixel, i, samples);
     agaa_Surface s = agaa_sampleSurface();
     return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)

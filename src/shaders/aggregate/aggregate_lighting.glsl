@@ -36,13 +36,14 @@ uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
     return taps;
 }
 
-// Returns the mean position of all samples, and finds the aggregate's share of each shadow map's light: at some of its
+// Returns the mean position of all samples, and finds their spread around it and the aggregate's share of each shadow map's light: at some of its
 // samples, at all of them, along the view ray or at the mean position.
 vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
     uint count = uint(bitCount(mask));
     vec3 mean = vec3(0.0);
     vec3 first = vec3(0.0);
+    float squares = 0.0;
     float lowest = 0.0;
     float highest = 0.0;
     agaa_Moments depthMoments = agaa_momentsInit(0.0);
@@ -59,6 +60,7 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
             depthMoments = agaa_momentsInit(position.z);
         }
         mean += position - first;
+        squares += dot(position - first, position - first);
         if (AGAA_SHADOW_FILTER == AGAA_SHADOW_ALONG_DEPTH) {
             agaa_momentsAdd(depthMoments, position.z);
             lowest = min(lowest, position.z);
@@ -67,7 +69,9 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
         if (tapsAll)
             agaa_addTaps(agaa_toShadingSpace(position));
     }
-    mean = first + mean / float(count);
+    mean /= float(count);
+    float spread = max(squares / float(count) - dot(mean, mean), 0.0);
+    mean += first;
 #if AGAA_SHADOWS
     uint taps = count;
     if (AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_SAMPLES) {
@@ -79,7 +83,9 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);
 #endif
-    return agaa_toShadingSpace(mean);
+    vec3 position = agaa_toShadingSpace(mean);
+    agaa_setSpread(spread, position);
+    return position;
 }
 
 #if AGAA_LIT

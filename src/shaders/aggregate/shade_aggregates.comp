@@ -96,8 +96,10 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 #if AGAA_REPRESENTED
     uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);
     normals = 1u << shaded;
+    vec3 mean = position;
     position = agaa_toShadingSpace(
         agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
+    agaa_setSpread(agaa_positionSpread + dot(position - mean, position - mean), position);
 #endif
     return agaa_shadeMeans(pixel, position, a, mask, agaa_meansOfAggregate(pixel, normals),
                            AGAA_FOLDED_ROUGHNESS != 0u);

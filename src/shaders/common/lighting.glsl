@@ -102,19 +102,34 @@ void agaa_addTaps(vec3 position) {
 #endif
 }
 
+// Mean squared distance of the samples of the current shading event from its position. The inverse square law at a mean
+// position has no bound, but its mean over positions has (hard case 65).
+float agaa_positionSpread = 0.0;
+
+// Sets the spread. It is at most that of a surface which crosses the pixel: parts of an aggregate at several depths are
+// not one surface around a light.
+// position   The position of the event, in shading space.
+void agaa_setSpread(float spread, vec3 position) {
+    float width = agaa_pixelWidth((mat3(agaa_frame.view) * position).z);
+    agaa_positionSpread = min(spread, width * width);
+}
+
 vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     agaa_GpuLight light = agaa_lightBuffer.lights[index];
     vec3 toLight = -light.direction;
     float intensity = 1.0;
     if (light.type != AGAA_LIGHT_DIRECTIONAL && !agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS)) {
         vec3 d = light.position - position;
-        float d2 = dot(d, d);
+        float d2 = agaa_spreadDistance2(dot(d, d), agaa_positionSpread);
         intensity = agaa_pointAttenuation(d2, light.range, light.radius * light.radius);
         if (intensity <= 0.0)
             return vec3(0.0);
         toLight = agaa_lightDirection(d, light.radius * light.radius);
         if (light.type == AGAA_LIGHT_SPOT)
             intensity *= agaa_spotCone(dot(-toLight, light.direction), light.cosInner, light.cosOuter);
+        if (agaa_positionSpread > 0.0)
+            toLight = agaa_lightDirection(agaa_nearestToLight(d, s.normal, agaa_positionSpread),
+                                          light.radius * light.radius);
     }
     uint map = light.shadowMap;
     if (map < AGAA_MAX_SHADOW_MAPS)

@@ -24,8 +24,24 @@ agaa_DepthPlane agaa_shownPlane(AGAA_SHOWN shown, uint sampleOf);
 agaa_DepthPlane agaa_shownPlane(agaa_DepthPlane plane, uint sampleOf) { return plane; }
 #endif
 
-// Finds the visibility by shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or at their centroid.
+// Returns the mean squared distance of four of the samples, evenly chosen, from the position.
+float agaa_spreadOfSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
+    uint count = agaa_coverageCount(mask);
+    float sum = 0.0;
+    for (uint j = 0u; j < 4u; ++j) {
+        uint sampleOf = agaa_coveredSample(mask, (2u * j + 1u) * count / 8u);
+        vec3 away = agaa_surfacePosition(pixel, agaa_shownPlane(shown, sampleOf),
+                                         agaa_coveragePosition(sampleOf, AGAA_SAMPLES)) -
+                    position;
+        sum += dot(away, away);
+    }
+    return sum * 0.25;
+}
+
+// Finds the spread of the surface, and the visibility by shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or at their centroid.
 void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
+    if (!agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS))
+        agaa_setSpread(agaa_spreadOfSurface(pixel, shown, mask, position), position);
 #if AGAA_SHADOWS
     uint count = agaa_coverageCount(mask);
     uint taps = AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_MEAN ? min(count, AGAA_SHADOW_TAPS) : 1u;

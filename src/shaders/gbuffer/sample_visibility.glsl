@@ -10,6 +10,18 @@ vec3 agaa_samplePosition(uvec2 pixel, uint i) {
     return agaa_toShadingSpace(agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i)));
 }
 
+// Finds the spread of the samples that sample i represents, which is 0 for one sample.
+// mask   The represented samples.
+void agaa_findSpread(uvec2 pixel, uint i, uint mask) {
+    vec3 position = agaa_samplePosition(pixel, i);
+    float sum = 0.0;
+    for (uint rest = mask & ~(1u << i); rest != 0u; rest &= rest - 1u) {
+        vec3 away = agaa_samplePosition(pixel, uint(findLSB(rest))) - position;
+        sum += dot(away, away);
+    }
+    agaa_setSpread(sum / float(max(bitCount(mask), 1)), position);
+}
+
 // Finds the visibility of all shadowed lights. Shadows end within surfaces, so they are looked up at each of the
 // samples that are shaded once, up to AGAA_SHADOW_TAPS.
 // mask   One or more samples with geometry.

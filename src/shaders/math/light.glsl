@@ -1,6 +1,6 @@
 // Light falloff and the shading of one sample or aggregate for one light direction.
 // Sources: AGAA (Crassin et al., TVCG 2016) sections 3.5.1 and 3.5.2; Karis 2013, "Real Shading in
-// Unreal Engine 4" (windowed inverse square); hard cases 39 and 40.
+// Unreal Engine 4" (windowed inverse square, representative points); hard cases 39, 40, 65 and 66.
 #ifndef AGAA_MATH_LIGHT_GLSL
 #define AGAA_MATH_LIGHT_GLSL
 #include "brdf.glsl"
@@ -9,23 +9,52 @@
 
 #define agaa_brdfBlinnPhong 0u // AGAA_BRDF_BLINN_PHONG; GGX otherwise
 
+// The least squared distance, which only keeps quotients finite. Scenes may have any unit of length.
+real agaa_leastDistance2() {
+    return real(1e-28);
+}
+
 // Returns the inverse square law with a window that reaches 0 at `range`; a range of 0 has no window. d2 is the squared
 // distance, rMin2 the squared radius of the lamp, within which the law would diverge.
 real agaa_pointAttenuation(real d2, real range, real rMin2) {
     real window = real(1.0);
     if (range > real(0.0)) {
-        const real q = min(d2 / max(range * range, real(1e-20)), real(1.0));
+        const real q = min(d2 / max(range * range, agaa_leastDistance2()), real(1.0));
         window = agaa_sq(real(1.0) - q * q);
     }
-    return window / max(d2, max(rMin2, real(1e-12)));
+    return window / max(d2, max(rMin2, agaa_leastDistance2()));
 }
 
-// Returns the unit vector along toLight. At the position of the light it approaches the zero vector, which lights
-// nothing.
+// Returns the unit vector along toLight. Within a thousandth of the lamp's radius it approaches the zero vector, which
+// lights nothing.
 rvec3 agaa_lightDirection(rvec3 toLight, real rMin2) {
     const real d2 = dot(toLight, toLight);
-    const real scale = real(1.0) / sqrt(max(d2, max(min(rMin2, real(1e-6)), real(1e-12))));
+    const real scale = real(1.0) / sqrt(max(d2, max(rMin2 * real(1e-6), agaa_leastDistance2())));
     return rvec3(toLight.x * scale, toLight.y * scale, toLight.z * scale);
+}
+
+// A shading event at the mean position of an aggregate stands for the mean over its samples. The two functions keep this
+// mean bounded if a light is nearer than the aggregate is wide, and do not change far lights, whose error by the spread
+// is of the fourth order. Their constants are fitted to the irradiance of a square (hard case 65).
+// spread   Mean squared distance of the samples from the position of the event.
+
+// Returns the squared distance by which a light is attenuated: the root of d2^2 + spread^2.
+real agaa_spreadDistance2(real d2, real spread) {
+    const real larger = max(d2, max(spread, agaa_leastDistance2()));
+    const real ratio = min(d2, spread) / larger;
+    return larger * sqrt(real(1.0) + ratio * ratio);
+}
+
+// Returns the vector to a light from the part of an aggregate that it lights most: the point nearest to the light of a
+// disc across the normal. The whole aggregate would otherwise be lit at the grazing angle of its mean position.
+rvec3 agaa_nearestToLight(rvec3 toLight, rvec3 normal, real spread) {
+    const real height = dot(normal, toLight);
+    const rvec3 side = toLight - normal * height;
+    const real side2 = dot(side, side);
+    const real nearness = spread / agaa_spreadDistance2(dot(toLight, toLight), spread);
+    const real radius2 = real(3.0) * spread * nearness * nearness;
+    const real left = side2 > radius2 ? real(1.0) - sqrt(radius2 / side2) : real(0.0);
+    return normal * height + side * left;
 }
 
 // Returns the attenuation of a spot light, linear in the cosine between the two cones. Equal cones make a step of width
