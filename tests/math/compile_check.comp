@@ -27,6 +27,7 @@
 #include "../../src/shaders/math/light.glsl"
 #include "../../src/shaders/math/light_culling.glsl"
 #include "../../src/shaders/math/adaptive.glsl"
+#include "../../src/shaders/math/tile_batches.glsl"
 #include "../../src/shaders/math/clustering.glsl"
 
 layout(local_size_x = 64) in;
@@ -109,6 +110,7 @@ void main() {
     acc.z += agaa_isCovered(covered, id & 63u) ? 1.0 : 0.0;
     const agaa_DepthPlane plane = agaa_depthPlane(p, acc, x.yzw, v, x.xy);
     acc.x += agaa_depthAt(plane, x.zw) + (agaa_depthsOverlap(plane, plane, x.x) ? 1.0 : 0.0);
+    acc.x += float(agaa_batchOfNextTile(agaa_TileBatch(1u, planes.x), agaa_saturatingSum(planes.y, id), 65536u).number);
     const agaa_Hull hull = agaa_triangleHull(x, x.yzwx, x.zwxy, vec2(1.0, 0.0), x.xy);
     acc += hull.vertices[hull.count & 7u].xyz;
     outputs[id] = vec4(acc, float(count + agaa_samplesOfAggregate(planes, 3u)));

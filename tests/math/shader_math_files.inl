@@ -3,6 +3,7 @@
 #undef AGAA_MATH_REAL_GLSL
 #undef AGAA_MATH_SANITISE_GLSL
 #undef AGAA_MATH_ADAPTIVE_GLSL
+#undef AGAA_MATH_TILE_BATCHES_GLSL
 #undef AGAA_MATH_ALPHA_COVERAGE_GLSL
 #undef AGAA_MATH_COVERAGE_PATTERN_GLSL
 #undef AGAA_MATH_TRIANGLE_COVERAGE_GLSL
@@ -50,6 +51,7 @@
 #include "../../src/shaders/math/light.glsl"
 #include "../../src/shaders/math/light_culling.glsl"
 #include "../../src/shaders/math/adaptive.glsl"
+#include "../../src/shaders/math/tile_batches.glsl"
 
 struct Clustering {
 #include "../../src/shaders/math/clustering.glsl"

@@ -3,6 +3,7 @@
 
 #include "agreement.h"
 #include "dcaa_lists.h"
+#include "hard_case_test.h"
 #include "shown.h"
 
 #include <gtest/gtest.h>
@@ -261,8 +262,30 @@ TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
     }
 }
 
+// One tile fills a third of the pool. The other tiles need no more draws because of it.
+TYPED_TEST_P(DcaaCases, OneFullTileDoesNotShrinkBatches) {
+    Shot shot;
+    std::mt19937 random(6);
+    for (int layer = 4; layer >= 0; --layer)
+        for (const Triangle& t : rectangle(0, 0, 256, 256, float(2 + layer), randomMaterial(random)))
+            shot.triangles.push_back(t);
+    for (int layer = 0; layer < 320; ++layer)
+        for (const Triangle& t : rectangle(128, 128, 136, 136, 1 + 0.001f * float(layer), facing(glm::vec3(0.5f))))
+            shot.triangles.push_back(t);
+    ViewSettings settings = dcaaSettings(64, 4, AGAA_TIER_FRAGMENT_LISTS);
+    settings.width = settings.height = 256;
+    settings.projection = pixelOrthographic(256, 256, 10);
+    settings.config.coverage.fragmentsPerPixel = 1;
+    settings.config.coverage.maxBatches = 7; // a pool has room for 65,536 of the 352,000 fragments
+    const Shown divided = this->render(settings, shot);
+    EXPECT_GT(divided.counters.fragments, 5u * 256 * 256 + 320 * 64) << "pixels at a diagonal have two per layer";
+    EXPECT_EQ(divided.counters.lostFragments, 0u);
+    EXPECT_LE(divided.counters.batches, 7u);
+}
+
 REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow,
-                            ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows, EdgesCoverTheirShare,
+                            ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows,
+                            OneFullTileDoesNotShrinkBatches, EdgesCoverTheirShare,
                             ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
 
 } // namespace agaa::test
