@@ -280,47 +280,59 @@ TYPED_TEST_P(AdaptiveCases, EventsAreShownWhateverTheOptions) {
     }
 }
 
-// A busy scene, then one plane: with a memory of a half, numbers of samples fall to one within four frames, and no
+// Renders a busy scene, then one plane in five frames. Returns the counters of each frame. calm: receives the first
+// image of the plane.
+template <class Host>
+std::vector<AgaaCounters> countersAfterBusyScene(typename Host::Context& context, const ViewSettings& settings,
+                                                 std::vector<float>& calm) {
+    const Shot busy = adaptiveShot();
+    return showBy<Host>(context, settings, busy, [&](typename Host::View& view) {
+        std::vector<AgaaCounters> counters = {view.statistics().counters};
+        view.setTriangles(rectangle(-100, -100, 100, 100, 5, facing({0.5f, 0.4f, 0.3f})));
+        for (int i = 0; i < 5; ++i) {
+            AgaaFrame frame = view.frame();
+            frame.lights = busy.lights.data();
+            frame.lightCount = uint32_t(busy.lights.size());
+            busy.change(frame);
+            Host::run(view, [&](typename Host::Frame& native) {
+                EXPECT_EQ(Host::recordFrame(view.get(), &frame, &native), AGAA_OK);
+            });
+            counters.push_back(view.statistics().counters);
+            if (i == 0)
+                calm = withoutAlpha(Host::rgba(view));
+        }
+        return counters;
+    });
+}
+
+// With a memory of a half, numbers of samples fall to one within four frames, whichever metric demanded them, and no
 // colour of an earlier frame is visible.
 TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
-    std::vector<std::vector<float>> images;
-    for (const float memory : {0.0f, 0.5f}) {
-        ViewSettings settings = adaptiveSettings(9);
-        settings.config.adaptive.countMemory = memory;
-        const Shot busy = adaptiveShot();
-        const std::vector<double> events =
-            showBy<TypeParam>(this->context, settings, busy, [&](typename TypeParam::View& view) {
-                const auto mean = [&] {
-                    const AgaaCounters counters = view.statistics().counters;
-                    return double(counters.shadingEvents) / double(counters.shadedPixels);
-                };
-                std::vector<double> means = {mean()};
-                view.setTriangles(rectangle(-100, -100, 100, 100, 5, facing({0.5f, 0.4f, 0.3f})));
-                for (int i = 0; i < 5; ++i) {
-                    AgaaFrame frame = view.frame();
-                    frame.lights = busy.lights.data();
-                    frame.lightCount = uint32_t(busy.lights.size());
-                    busy.change(frame);
-                    TypeParam::run(view, [&](typename TypeParam::Frame& native) {
-                        EXPECT_EQ(TypeParam::recordFrame(view.get(), &frame, &native), AGAA_OK);
-                    });
-                    means.push_back(mean());
-                    if (i == 0)
-                        images.push_back(withoutAlpha(TypeParam::rgba(view)));
-                }
-                return means;
-            });
-        EXPECT_GT(events[0], 1.5);
-        for (size_t i = 2; i < events.size(); ++i)
-            EXPECT_LE(events[i], events[i - 1]);
-        EXPECT_EQ(events[memory > 0 ? 4 : 1], 1);
-        if (memory > 0) {
-            EXPECT_GT(events[1], events[2]);
-            EXPECT_GT(events[2], 1);
+    constexpr uint64_t both = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
+    for (const uint64_t metrics : {both, uint64_t(AGAA_ADAPTIVE_SHADING)}) {
+        SCOPED_TRACE(metrics);
+        std::vector<float> images[2];
+        for (const bool remembers : {false, true}) {
+            ViewSettings settings = adaptiveSettings(9, metrics);
+            settings.config.adaptive.countMemory = remembers ? 0.5f : 0.0f;
+            const std::vector<AgaaCounters> frames =
+                countersAfterBusyScene<TypeParam>(this->context, settings, images[remembers]);
+            const AgaaCounters& busy = frames[0];
+            EXPECT_GT(double(busy.shadingEvents), 1.3 * double(busy.shadedPixels));
+            const auto further = [&](size_t i) { return frames[i].shadingEvents - frames[i].shadedPixels; };
+            for (size_t i = 2; i < frames.size(); ++i)
+                EXPECT_LE(further(i), further(i - 1));
+            EXPECT_EQ(further(remembers ? 4 : 1), 0u);
+            if (remembers) { // a pixel with k samples keeps the mean of k and 1, rounded down to a half of k or up
+                EXPECT_GE(2 * further(1) + 2 * busy.shadedPixels, busy.shadingEvents + busy.pixelsByEvents[0]);
+                EXPECT_LE(2 * further(1) + busy.shadedPixels, busy.shadingEvents);
+                EXPECT_GT(further(1), further(2));
+                EXPECT_GT(further(2), 0u);
+            }
         }
+        for (size_t i = 0; i < images[0].size(); ++i)
+            ASSERT_NEAR(images[1][i], images[0][i], 1e-3f) << i;
     }
-    for (size_t i = 0; i < images[0].size(); ++i)
-        ASSERT_NEAR(images[1][i], images[0][i], 1e-3f) << i;
 }
 
 REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem,

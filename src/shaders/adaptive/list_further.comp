@@ -15,6 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 shared uint agaa_tileMaximum;
 
 // Returns the mean of counts over frames, or this frame's count if that is larger.
+// count   Number of samples that both metrics demand in this frame.
 uint agaa_remember(uvec2 pixel, uint count) {
     float mean = uintBitsToFloat(agaa_choices.words[agaa_meanAt(pixel)]);
     mean = agaa_meanOfCounts(mean, count, uintBitsToFloat(AGAA_COUNT_MEMORY));
@@ -54,14 +55,12 @@ void main() {
         uint word = agaa_choices.words[agaa_choiceAt(pixel)];
         covered = agaa_coveredIn(word);
         count = agaa_countIn(word);
-        uint remembered = count;
-        if (AGAA_COUNT_MEMORY != 0u)
-            remembered = agaa_remember(pixel, count);
         if (covered != 0u) {
             byShading = agaa_countByShading(pixel);
-            // Remembered samples are among those that shading would demand.
-            count = max(agaa_countBoth(byShading, count, agaa_leftIn(word)), remembered);
+            count = min(agaa_countBoth(byShading, count, agaa_leftIn(word)), covered);
         }
+        if (AGAA_COUNT_MEMORY != 0u)
+            count = agaa_remember(pixel, count);
     }
     count = agaa_evenCount(count, covered);
     // Debug views need the data that only the pass for further samples has.
