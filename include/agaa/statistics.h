@@ -210,8 +210,9 @@ typedef struct AgaaFactReport {
     /* Bits of AgaaSceneFacts::flags: */
     uint64_t contradicted; /* facts of the view that the frame contradicts: effects that the frame needs and the
                               view left out, and common values that a material does not have */
-    uint64_t sufficient;   /* the facts that describe this frame, with the fewest effects. CUSTOM_DEPTH is the same
-                              as in the view */
+    uint64_t sufficient;   /* the facts that describe this frame, with the fewest effects and all common values that
+                              hold. CUSTOM_DEPTH is the same as in the view. Facts of many frames have the effects of
+                              any frame and the common values of all frames */
     char explanation[512]; /* the findings */
 } AgaaFactReport;
 #define AGAA_FACT_REPORT_INIT                                                                                          \

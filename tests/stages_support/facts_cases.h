@@ -200,8 +200,8 @@ TYPED_TEST_P(FactsCases, CountsAreThoseOfFragments) {
     EXPECT_EQ(report.hasAmbient, 1u);
     EXPECT_EQ(report.contradicted,
               AGAA_FACT_EMISSIVE | AGAA_FACT_AMBIENT | AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR);
-    EXPECT_EQ(report.sufficient,
-              AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_AMBIENT | AGAA_FACT_NO_LOCAL_LIGHTS);
+    EXPECT_EQ(report.sufficient, AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_AMBIENT |
+                                     AGAA_FACT_NO_LOCAL_LIGHTS | AGAA_FACT_NO_TRANSLUCENCY | AGAA_FACT_NO_CUTOUTS);
     ASSERT_EQ(this->context.lines.size(), 1u) << "told once";
     EXPECT_EQ(this->context.lines[0].text, report.explanation);
     EXPECT_NE(this->context.lines[0].text.find("33.3 %"), std::string::npos) << report.explanation;

@@ -36,7 +36,8 @@ constexpr FactRow rows[] = {
     {AGAA_FACT_NO_LOCAL_LIGHTS, "NO_LOCAL_LIGHTS", nullptr},
 };
 
-// Returns the smallest facts that suffice for the counted materials.
+} // namespace
+
 uint64_t sufficientFacts(const AgaaFactReport& report, uint64_t viewFlags) {
     uint64_t flags = viewFlags & AGAA_FACT_CUSTOM_DEPTH;
     for (const FactRow& row : rows)
@@ -46,14 +47,10 @@ uint64_t sufficientFacts(const AgaaFactReport& report, uint64_t viewFlags) {
         }
     flags |= report.hasAmbient ? AGAA_FACT_AMBIENT : 0;
     flags |= report.localLights ? 0 : AGAA_FACT_NO_LOCAL_LIGHTS;
-    if (!(flags & AGAA_FACT_SPECULAR)) // without specular light its properties do not matter
-        flags &= ~ofSpecular;
-    if (!(flags & AGAA_FACT_ALPHA_MASKED))
-        flags &= ~ofMasks;
-    if (flags & AGAA_FACT_ONE_SPECULAR)
-        flags &= ~AGAA_FACT_GREY_SPECULAR;
     return flags;
 }
+
+namespace {
 
 uint64_t contradictedFacts(const AgaaFactReport& report, uint64_t viewFlags) {
     uint64_t flags = 0;
@@ -63,6 +60,19 @@ uint64_t contradictedFacts(const AgaaFactReport& report, uint64_t viewFlags) {
     if (report.hasAmbient)
         flags |= ~viewFlags & AGAA_FACT_AMBIENT;
     return viewFlags & AGAA_FACT_SPECULAR ? flags : flags & ~ofSpecular;
+}
+
+// Returns the facts without common values that do not matter beside the others.
+uint64_t withoutImplied(uint64_t flags) {
+    if (!(flags & AGAA_FACT_SPECULAR))
+        flags &= ~ofSpecular;
+    if (flags & AGAA_FACT_ONE_SPECULAR)
+        flags &= ~AGAA_FACT_GREY_SPECULAR;
+    if (!(flags & AGAA_FACT_ALPHA_MASKED))
+        flags &= ~ofMasks;
+    if (flags & AGAA_FACT_NO_TRANSLUCENCY)
+        flags &= ~AGAA_FACT_NO_CUTOUTS;
+    return flags;
 }
 
 std::string namesOf(uint64_t flags) {
@@ -95,7 +105,8 @@ std::string explain(const AgaaFactReport& report, uint64_t viewFlags) {
         return "No material was inspected: nothing was drawn.";
     text = "The frame keeps the facts.";
     const std::string needless = namesOf(viewFlags & ~report.sufficient & effects);
-    const std::string common = namesOf(report.sufficient & ~viewFlags & ~effects);
+    const uint64_t holding = withoutImplied(report.sufficient | (viewFlags & ~effects));
+    const std::string common = namesOf(holding & ~viewFlags & ~effects);
     if (!needless.empty())
         text += " It does not need " + needless + ".";
     if (!common.empty())
@@ -122,9 +133,10 @@ AgaaFactReport reportOf(const Plan& plan, const FrameSequence::Slot& frame, cons
     report.hasAmbient = frame.content.hasAmbient;
     report.contradicted = contradictedFacts(report, plan.view.facts.flags);
     report.sufficient = sufficientFacts(report, plan.view.facts.flags);
-    if (plan.view.hostGBuffer) // its masks and planes are unknown
-        report.sufficient = (report.sufficient & ~AGAA_FACT_PLANE_NORMALS) |
-                            (plan.view.facts.flags & (AGAA_FACT_ALPHA_MASKED | ofMasks | AGAA_FACT_PLANE_NORMALS));
+    if (plan.view.hostGBuffer) {
+        constexpr uint64_t unknown = AGAA_FACT_ALPHA_MASKED | ofMasks | AGAA_FACT_PLANE_NORMALS;
+        report.sufficient = (report.sufficient & ~unknown) | (plan.view.facts.flags & unknown);
+    }
     std::strncpy(report.explanation, explain(report, plan.view.facts.flags).c_str(), sizeof report.explanation - 1);
     return report;
 }
