@@ -55,8 +55,9 @@ AGAA_API void AGAA_CALL agaaInitMeasuredSettings(AgaaMeasuredSettings* outMeasur
  * on the contents of a frame.
  *
  * If `measured` is set, the choice is made among its settings, with the measured errors; sceneShare is not used. If
- * the settings have times, the predicted times are the measured ones, scaled by the number of pixels and by the
- * times that were observed later. Either all measured settings have times, or none has. */
+ * the settings have times, the predicted times are the measured ones, scaled by the times that were observed later
+ * and to other numbers of pixels: shading in proportion, geometry by the observed sizes or, if there is one size, by
+ * the root of the ratio. Either all measured settings have times, or none has. */
 typedef struct AgaaGoal {
     uint32_t sType;
     uint32_t structSize;

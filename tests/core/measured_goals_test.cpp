@@ -4,7 +4,11 @@
 
 #include "core/tuning/cost_model.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -158,8 +162,8 @@ TEST(MeasuredGoals, MeasuredTimesDecide) {
     EXPECT_TRUE(isOf(host.freshMeasured(), rowNamed("ssaa", 8)));
     EXPECT_EQ(host.choice.milliseconds, 20.0f);
     for (AgaaMeasuredSettings& m : host.measured)
-        m.pixels /= 4; // of another size
-    EXPECT_EQ(host.freshMeasured().milliseconds, 80.0f);
+        m.pixels /= 4; // of another size: shading takes four times as long, geometry as one size lets assume
+    EXPECT_EQ(host.freshMeasured().milliseconds, 72.0f);
 }
 
 TEST(MeasuredGoals, ObservedTimesScaleMeasuredOnes) {
@@ -259,6 +263,140 @@ TEST(MeasuredGoals, ChoicesSettleUnderNoise) {
         EXPECT_EQ(host.choice.hasChanged, 0u) << frame << ": " << host.choice.reason;
     }
     EXPECT_NEAR(host.choice.milliseconds, 11, 1);
+}
+
+// ---- sizes ---------------------------------------------------------------------------------------
+
+// A scene whose geometry takes milliseconds for vertices, and for each million pixels.
+struct Scene {
+    double vertices, pixels, shading;
+    AgaaObservation frame(uint64_t count, double factor = 1) const {
+        AgaaObservation o =
+            timedFrame(rowNamed("single", 1), float(factor * (vertices + pixels * double(count) * 1e-6)),
+                       float(factor * shading * double(count) * 1e-6));
+        o.pixels = count;
+        return o;
+    }
+    double milliseconds(uint64_t count) const { return vertices + (pixels + shading) * double(count) * 1e-6; }
+};
+
+// A host that runs "single" alone, at any size.
+struct ResizedHost : MeasuringHost {
+    ResizedHost() { measured = {measuredOf(rowNamed("single", 1), 1)}; }
+
+    double predict(uint32_t width, uint32_t height) {
+        const AgaaChoice kept = choice;
+        view.width = width;
+        view.height = height;
+        EXPECT_EQ(chooseMeasured(), AGAA_OK) << message;
+        const double milliseconds = choice.milliseconds;
+        choice = kept;
+        return milliseconds;
+    }
+    void observe(const AgaaObservation& frame) { ASSERT_EQ(chooseMeasured(&frame), AGAA_OK) << message; }
+};
+
+// One size does not tell how geometry grows: it takes between as long and 16 times as long with 16 times the pixels.
+TEST(GoalSizes, OneSizePredictsOthersWithinTheRootOfTheirRatio) {
+    for (const Scene& scene : {Scene{5, 0, 1}, {0, 10, 1}, {3, 3, 1}}) {
+        ResizedHost host;
+        for (int i = 0; i < 40; ++i)
+            host.observe(scene.frame(960 * 540));
+        EXPECT_NEAR(host.predict(960, 540), scene.milliseconds(960 * 540), 1e-3);
+        const double shading = scene.shading * 3840 * 2160 * 1e-6;
+        const double ratio = (host.predict(3840, 2160) - shading) / (scene.milliseconds(3840 * 2160) - shading);
+        std::printf("%g ms of vertices: geometry is predicted %.2f times as long\n", scene.vertices, ratio);
+        EXPECT_LE(ratio, 4.01);
+        EXPECT_GE(ratio, 1 / 4.01);
+        const double less = (host.predict(240, 135) - scene.shading * 240 * 135 * 1e-6) /
+                            (scene.milliseconds(240 * 135) - scene.shading * 240 * 135 * 1e-6);
+        EXPECT_LE(less, 4.01);
+        EXPECT_GE(less, 1 / 4.01);
+    }
+}
+
+// Two sizes tell both parts, under noise and whatever came last.
+TEST(GoalSizes, TwoSizesPredictAllOthers) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> part(0, 5), noise(0.9, 1.1);
+    double worst = 1;
+    for (int run = 0; run < 100; ++run) {
+        const Scene scene = {part(random), part(random), 0.5 + part(random)};
+        ResizedHost host;
+        for (int i = 0; i < 24; ++i)
+            host.observe(scene.frame(960 * 540, noise(random)));
+        for (int i = 0; i < 8; ++i)
+            host.observe(scene.frame(1920 * 1080, noise(random)));
+        for (const auto& [width, height] : {std::pair{3840u, 2160u}, {1280u, 720u}, {640u, 360u}}) {
+            const double ratio = host.predict(width, height) / scene.milliseconds(uint64_t(width) * height);
+            worst = std::max({worst, ratio, 1 / ratio});
+        }
+    }
+    std::printf("the worst prediction is %.2f times off\n", worst);
+    EXPECT_LE(worst, 1.3);
+}
+
+// What two sizes of one row tell holds for rows that did not run, and after the size stays for long.
+TEST(GoalSizes, OtherSettingsAndLaterFramesKeepTheParts) {
+    const Scene scene = {5, 0, 1};
+    ResizedHost host;
+    for (int i = 0; i < 20; ++i)
+        host.observe(scene.frame(960 * 540));
+    for (int i = 0; i < 200; ++i)
+        host.observe(scene.frame(1920 * 1080));
+    EXPECT_NEAR(host.predict(3840, 2160), scene.milliseconds(3840 * 2160), 0.5);
+    host.measured = {measuredOf(rowNamed("ssaa", 4), 1)};
+    const double small = host.predict(960, 540), large = host.predict(1920, 1080), largest = host.predict(3840, 2160);
+    EXPECT_NEAR((largest - large) / (large - small), 4, 0.1) << "a line over pixels";
+    EXPECT_LT(largest, 10 * small) << "vertices take as long at all sizes";
+}
+
+// Sizes change by some percent in each frame, as with a dynamic resolution.
+TEST(GoalSizes, ChangingSizesStayStable) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> scale(0.95, 1.05), noise(0.8, 1.2);
+    const Scene scene = {2, 1, 1};
+    ResizedHost host;
+    for (int frame = 0; frame < 400; ++frame) {
+        host.observe(scene.frame(uint64_t(scale(random) * 1920 * 1080), noise(random)));
+        if (frame > 32) {
+            EXPECT_NEAR(host.predict(1920, 1080) / scene.milliseconds(1920 * 1080), 1, 0.25);
+        }
+    }
+}
+
+TEST(GoalSizes, MeasuredTimesAreThoseOfTheirSize) {
+    HostOfThree host;
+    for (AgaaMeasuredSettings& m : host.measured)
+        m.pixels = 1280 * 720 / 16;
+    host.goal.maxErrorShare = 0.15f; // "ssaa" with n = 8: 4 ms and 16 ms
+    EXPECT_FLOAT_EQ(host.freshMeasured().milliseconds, 4 * 4 + 16 * 16) << host.choice.reason;
+}
+
+// Numbers at the ends of their ranges leave a memory that the next call accepts.
+TEST(GoalSizes, ExtremeObservationsKeepTheMemoryValid) {
+    std::mt19937 random(5);
+    const float times[] = {0, 1e-38f, 1e-3f, 1, 1e9f};
+    const uint64_t sizes[] = {1, 2, 1920 * 1080, UINT64_C(1) << 40, ~UINT64_C(0)};
+    const auto one = [&](const auto& list) { return list[random() % std::size(list)]; };
+    for (int run = 0; run < 50; ++run) {
+        ResizedHost host;
+        host.measured.push_back(measuredOf(rowNamed("ssaa", 4), 0.5f));
+        for (int i = 0; i < 20; ++i) {
+            AgaaObservation o = timedFrame(random() % 2 ? rowNamed("single", 1) : rowNamed("ssaa", 4), one(times),
+                                           one(times));
+            o.pixels = one(sizes);
+            o.flags |= AGAA_OBSERVED_COUNTS;
+            o.coverage = std::min(one(times), 1.0f);
+            o.eventsPerPixel = o.lightsPerEvent = o.shadowTapsPerEvent = std::min(one(times), 1e6f);
+            host.observe(o);
+            EXPECT_GE(host.choice.milliseconds, 0);
+            for (const float number : host.choice.memory)
+                ASSERT_TRUE(number >= 0 && number <= 1e12f) << number;
+        }
+        EXPECT_TRUE(std::isfinite(host.predict(1, 1)));
+        EXPECT_TRUE(std::isfinite(host.predict(7680, 4320)));
+    }
 }
 
 // ---- wrong input ---------------------------------------------------------------------------------

@@ -18,23 +18,29 @@ public:
     void restartCount() { numbers_.sinceChange = 0; }
     float observationsSinceChange() const { return numbers_.sinceChange; }
 
-    bool hasTimes() const { return numbers_.geometry > 0; }
+    bool hasTimes() const { return numbers_.geometry > 0 && numbers_.pixels > 0; }
     // Returns the time of a frame, scaled by the observed times of these settings, or else of the settings that ran
     // last. The row must have a prediction.
     double milliseconds(const ChoiceRow& row, const AgaaSceneFacts& facts, uint64_t pixels) const;
 
 private:
-    static constexpr size_t maxRows = 63;
+    static constexpr size_t maxRows = 31;
+    // Times relative to the predicted ones, which are in proportion to the number of pixels. Shading is, too. Geometry
+    // is the sum of vertex work, which does not depend on it, and of work in proportion to it: a line over pixels.
     struct Row {
-        float geometry, shading; // observed times relative to the predicted ones
+        float geometry, shading; // means; geometry is that of `pixels`
         float count;             // of observations
+        float pixels;            // mean number
+        float spread;            // variance of the number of pixels, relative to the square of the mean
+        float growth;            // share of geometry at `pixels` that is in proportion to pixels, by observed sizes
     };
     struct Numbers {
         float sinceChange;                           // observations of the current choice since it was chosen
         float count;                                 // of observations with counts
         float coverage, complexity, lights, shadows; // means; complexity is stored plus 1
-        float geometry, shading;                     // of the row that ran last
+        float geometry, shading, pixels;             // of the row that ran last
         float timesNumber;                           // of the predictions that the times are relative to
+        float growth, growthPixels; // as Row::growth, of the last row that ran at different sizes, and its `pixels`
         float unused[2];
         Row rows[maxRows];
     };
@@ -43,6 +49,11 @@ private:
     SceneTerms terms(const AgaaSceneFacts& facts) const;
     void learnCounts(const AgaaObservation& observation, const ChoiceRow& row);
     void learnTimes(const AgaaObservation& observation, const ChoiceRow& row, const AgaaSceneFacts& facts);
+    void learnGeometry(Row& memory, double ratio, double pixels, bool isWhole);
+    // Returns the share of geometry at `seen` pixels that is in proportion to pixels, for a prediction at other pixels.
+    double growth(const Row* memory, double seen, double pixels) const;
+    // Returns the relative time of geometry at `pixels`, from that at `seen` pixels.
+    double geometryAt(double pixels, double ratio, double seen, const Row* memory = nullptr) const;
     static size_t indexOf(const ChoiceRow& row);
 
     const Predictions& predictions_;

@@ -66,6 +66,7 @@ void Predictions::addMeasured(const AgaaMeasuredSettings& m, const AgaaGoal& goa
     if (m.pixels == 0)
         refuse(name + " has times, and its pixels are 0.");
     measuredTimes_.push_back({m.geometryMilliseconds / double(m.pixels), m.shadingMilliseconds / double(m.pixels)});
+    measuredPixels_.push_back(double(m.pixels));
 }
 
 // The number is the sum of FNV-1a over each row, independent of their order. It has 24 bits, because AgaaChoice::memory
@@ -91,6 +92,13 @@ std::optional<FrameTimes> Predictions::times(const ChoiceRow& row, const SceneTe
         if (list_[i].row == &row)
             return FrameTimes{measuredTimes_[i].geometry * double(pixels), measuredTimes_[i].shading * double(pixels)};
     return std::nullopt;
+}
+
+double Predictions::measuredPixels(const ChoiceRow& row) const {
+    for (size_t i = 0; i < measuredPixels_.size(); ++i)
+        if (list_[i].row == &row)
+            return measuredPixels_[i];
+    return 0;
 }
 
 } // namespace agaa

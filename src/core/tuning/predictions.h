@@ -24,8 +24,11 @@ public:
     const std::vector<Prediction>& list() const { return list_; }
     bool areMeasured() const { return areMeasured_; }
     bool hasMeasuredTimes() const { return !measuredTimes_.empty(); }
-    // Returns the times of a frame, or nothing if other rows have measured times and this one has none.
+    // Returns the times of a frame in proportion to its pixels, or nothing if other rows have measured times and this
+    // one has none.
     std::optional<FrameTimes> times(const ChoiceRow& row, const SceneTerms& terms, uint64_t pixels) const;
+    // Returns the number of pixels of a row's measured times, or 0 if it has none.
+    double measuredPixels(const ChoiceRow& row) const;
     // Returns a number that identifies the measured times. It is 0 for the times of the table.
     float timesNumber() const { return timesNumber_; }
 
@@ -36,6 +39,7 @@ private:
     std::vector<Prediction> list_;
     bool areMeasured_;
     std::vector<FrameTimes> measuredTimes_; // per pixel, in the order of the list
+    std::vector<double> measuredPixels_;    // likewise
     float timesNumber_ = 0;
 };
 
