@@ -220,6 +220,23 @@ TEST(Goals, AnObservationIsReadFromStatistics) {
     EXPECT_EQ(untimed.flags, AGAA_OBSERVED_COUNTS);
 }
 
+// Sums of counters that no frame has still make an observation that a choice accepts.
+TEST(Goals, ObservationsStayInTheirRanges) {
+    Host host;
+    host.config.technique = "single";
+    host.config.samples = 1;
+    for (const uint64_t events : {uint64_t(1), UINT64_C(1) << 32, ~UINT64_C(0)})
+        for (const uint64_t others : {uint64_t(0), UINT64_C(1) << 32, ~UINT64_C(0)}) {
+            AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+            statistics.counters.shadingEvents = events;
+            statistics.counters.visible = statistics.counters.lightEvaluations = statistics.counters.shadowTaps =
+                others;
+            AgaaObservation o = AGAA_OBSERVATION_INIT;
+            ASSERT_EQ(agaaObserve(&host.view, &host.caps, nullptr, &statistics, &o), AGAA_OK);
+            EXPECT_EQ(host.choose(&o), AGAA_OK) << events << ' ' << others << ": " << host.message;
+        }
+}
+
 TEST(Goals, TimesOfTheDeviceScalePredictions) {
     Host host;
     AgaaObservation frame = frameOfSingle(17);

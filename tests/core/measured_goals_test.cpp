@@ -373,6 +373,17 @@ TEST(GoalSizes, MeasuredTimesAreThoseOfTheirSize) {
     EXPECT_FLOAT_EQ(host.freshMeasured().milliseconds, 4 * 4 + 16 * 16) << host.choice.reason;
 }
 
+// A device that cannot tell times reports none, rather than frames of no time.
+TEST(GoalSizes, FramesOfNoTimeAreNotLearned) {
+    const Scene scene = {2, 1, 1};
+    ResizedHost host;
+    host.observe(scene.frame(1920 * 1080));
+    const double before = host.predict(1920, 1080);
+    for (int i = 0; i < 40; ++i)
+        host.observe(scene.frame(1920 * 1080, 0));
+    EXPECT_DOUBLE_EQ(host.predict(1920, 1080), before);
+}
+
 // Numbers at the ends of their ranges leave a memory that the next call accepts.
 TEST(GoalSizes, ExtremeObservationsKeepTheMemoryValid) {
     std::mt19937 random(5);

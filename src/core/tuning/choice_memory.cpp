@@ -91,9 +91,9 @@ void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow& row) {
 // A row that did not run yet starts with the prediction, so that its first frame alone does not decide.
 void ChoiceMemory::learnTimes(const AgaaObservation& o, const ChoiceRow& row, const AgaaSceneFacts& facts) {
     const std::optional<FrameTimes> predicted = predictions_.times(row, terms(facts), o.pixels);
-    if (!predicted)
-        return;
     const FrameTimes observed = {o.geometryMilliseconds, o.shadingMilliseconds};
+    if (!predicted || observed.geometry + observed.shading <= 0) // the timers are too coarse for the frame
+        return;
     const FrameTimes ratio = ratioOf(observed, *predicted);
     const double pixels = std::min(double(o.pixels), maxPixels);
     Row& memory = numbers_.rows[indexOf(row)];

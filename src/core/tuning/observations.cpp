@@ -17,13 +17,17 @@ bool areSameSettings(const AgaaObservation& a, const AgaaObservation& b) {
            a.aggregates == b.aggregates && a.generationTier == b.generationTier && a.pixels == b.pixels;
 }
 
+constexpr double maxMean = 1e6;
+
+// There are events.
 void readCounts(const AgaaCounters& c, AgaaObservation& o) {
     const double pixels = double(o.pixels), events = double(c.shadingEvents);
+    const auto mean = [](uint64_t count, double over) { return float(std::min(double(count) / over, maxMean)); };
     o.flags |= AGAA_OBSERVED_COUNTS;
     o.coverage = float(std::min(double(c.visible) / (pixels * o.samples), 1.0));
-    o.eventsPerPixel = float(events / pixels);
-    o.lightsPerEvent = events > 0 ? float(double(c.lightEvaluations) / events) : 0.0f;
-    o.shadowTapsPerEvent = events > 0 ? float(double(c.shadowTaps) / events) : 0.0f;
+    o.eventsPerPixel = mean(c.shadingEvents, pixels);
+    o.lightsPerEvent = mean(c.lightEvaluations, events);
+    o.shadowTapsPerEvent = mean(c.shadowTaps, events);
 }
 
 bool isGeometry(uint32_t stage) {
@@ -78,9 +82,9 @@ void checkObservation(const AgaaObservation& o) {
     require(isTier(o.generationTier), AGAA_ERROR_OUT_OF_RANGE, "AgaaObservation::generationTier is not an AgaaTier.");
     checkReserved(o.reserved, "AgaaObservation::reserved");
     checkRange(double(o.coverage), 0.0, 1.0, "AgaaObservation::coverage");
-    checkRange(double(o.eventsPerPixel), 0.0, 1e6, "AgaaObservation::eventsPerPixel");
-    checkRange(double(o.lightsPerEvent), 0.0, 1e6, "AgaaObservation::lightsPerEvent");
-    checkRange(double(o.shadowTapsPerEvent), 0.0, 1e6, "AgaaObservation::shadowTapsPerEvent");
+    checkRange(double(o.eventsPerPixel), 0.0, maxMean, "AgaaObservation::eventsPerPixel");
+    checkRange(double(o.lightsPerEvent), 0.0, maxMean, "AgaaObservation::lightsPerEvent");
+    checkRange(double(o.shadowTapsPerEvent), 0.0, maxMean, "AgaaObservation::shadowTapsPerEvent");
     checkRange(double(o.geometryMilliseconds), 0.0, 1e9, "AgaaObservation::geometryMilliseconds");
     checkRange(double(o.shadingMilliseconds), 0.0, 1e9, "AgaaObservation::shadingMilliseconds");
 }
