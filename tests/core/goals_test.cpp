@@ -41,6 +41,25 @@ TEST(GoalTable, RowsAreSettingsOfTechniques) {
     }
 }
 
+TEST(GoalTable, MoreShadowLookUpsTakeLonger) {
+    for (const ChoiceRow& row : choiceRows()) {
+        SceneTerms terms = usualTerms(AGAA_SCENE_FACTS_INIT);
+        for (const double complexity : {0.0, 0.5, 1.0}) {
+            terms.complexity = complexity;
+            EXPECT_GE(tapsOf(row, complexity), 0.9) << "a covered pixel looks up at least one of its samples";
+            const auto shading = [&](double shadows) {
+                terms.shadows = shadows;
+                return predictTimes(row, terms, 1).shading;
+            };
+            for (const double shadows : {0.0, 1.0, 3.0}) {
+                const double lookUps = tapsOf(row, complexity) * terms.coverage; // of one more shadow
+                EXPECT_GT(shading(shadows + 1) - shading(shadows), 1e-6 * lookUps)
+                    << row.technique << ' ' << row.samples << ' ' << row.preset << ": a look-up takes 1 ns or more";
+            }
+        }
+    }
+}
+
 TEST(GoalTable, QuantilesOfErrors) {
     for (const ChoiceRow& row : choiceRows()) {
         std::array<float, tableScenes> sorted = row.errorShares;
