@@ -336,7 +336,7 @@ TEST(GoalSizes, TwoSizesPredictAllOthers) {
     EXPECT_LE(worst, 1.3);
 }
 
-// What two sizes of one row tell holds for rows that did not run, and after the size stays for long.
+// Two sizes of one row show the parts also for rows that did not run, and after the size stays for long.
 TEST(GoalSizes, OtherSettingsAndLaterFramesKeepTheParts) {
     const Scene scene = {5, 0, 1};
     ResizedHost host;
@@ -394,8 +394,8 @@ TEST(GoalSizes, ExtremeObservationsKeepTheMemoryValid) {
         ResizedHost host;
         host.measured.push_back(measuredOf(rowNamed("ssaa", 4), 0.5f));
         for (int i = 0; i < 20; ++i) {
-            AgaaObservation o = timedFrame(random() % 2 ? rowNamed("single", 1) : rowNamed("ssaa", 4), one(times),
-                                           one(times));
+            AgaaObservation o =
+                timedFrame(random() % 2 ? rowNamed("single", 1) : rowNamed("ssaa", 4), one(times), one(times));
             o.pixels = one(sizes);
             o.flags |= AGAA_OBSERVED_COUNTS;
             o.coverage = std::min(one(times), 1.0f);

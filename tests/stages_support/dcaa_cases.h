@@ -285,7 +285,7 @@ TYPED_TEST_P(DcaaCases, OneFullTileDoesNotShrinkBatches) {
 
 REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow,
                             ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows,
-                            OneFullTileDoesNotShrinkBatches, EdgesCoverTheirShare,
-                            ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
+                            OneFullTileDoesNotShrinkBatches, EdgesCoverTheirShare, ShowsWhatManySamplesShow,
+                            MergesAsAlgorithm1OfThePaper);
 
 } // namespace agaa::test
