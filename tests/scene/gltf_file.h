@@ -1,5 +1,7 @@
-// Writes small glTF files for the loader's tests.
+// Writes small glTF files for the loader's tests, and reads the errors that the loader reports.
 #pragma once
+
+#include "scene/gltf.h"
 
 #include <gtest/gtest.h>
 
@@ -94,5 +96,47 @@ private:
 };
 
 constexpr int kByte = 5121, kShort = 5123, kInt = 5125, kFloat = 5126;
+
+// A unit square in the plane z = 0 facing +z, as a strip.
+inline const std::vector<float> kSquare{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+
+// A 1 x 2 PNG: red above transparent black.
+inline const std::vector<uint8_t> kPng{
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+    0x00, 0x01, 0x00, 0x00, 0x00, 0x02, 0x08, 0x06, 0x00, 0x00, 0x00, 0x99, 0x81, 0xb6, 0x27, 0x00, 0x00, 0x00,
+    0x0f, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0xf8, 0xcf, 0xc0, 0x00, 0x44, 0x40, 0x00, 0x00, 0x0e, 0xfb,
+    0x01, 0xff, 0x07, 0xd2, 0x15, 0xed, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+
+inline std::string str(int n) { return std::to_string(n); }
+
+// The members of a file with one node, whose mesh is one primitive.
+inline std::string oneNode(const std::string& primitive) {
+    return R"("meshes":[{"primitives":[{)" + primitive + R"(}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])";
+}
+
+inline void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-6) {
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(a[c], b[c], tolerance);
+}
+
+// The sentence of the exception; fails where none is thrown.
+inline std::string errorOf(const std::filesystem::path& path) {
+    try {
+        harness::loadGltf(path);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << path << " was loaded";
+    return {};
+}
+
+inline void expectError(const std::filesystem::path& path, const std::string& part) {
+    const std::string sentence = errorOf(path);
+    EXPECT_NE(sentence.find(path.string()), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.back(), '.') << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    EXPECT_LT(sentence.size(), path.string().size() + 400) << sentence;
+}
 
 } // namespace scene_test

@@ -193,8 +193,7 @@ std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
 Scene loadSceneArgument(const std::string& nameOrPath) {
     if (auto scene = makeBuiltinScene(nameOrPath))
         return std::move(*scene);
-    const std::string extension = std::filesystem::path(nameOrPath).extension().string();
-    if (extension != ".gltf" && extension != ".glb")
+    if (!isGltfName(nameOrPath))
         throw BadArgument("--scene is \"" + nameOrPath +
                           "\"; it is a name that `scenes` lists, or a .gltf or .glb file.");
     return loadGltf(nameOrPath);

@@ -91,11 +91,10 @@ Texture GpuScene::makeTexture(const std::vector<MipLevel>& levels, bool srgb) co
 void GpuScene::uploadTextures(const Scene& scene) {
     GLint largest = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    checkTextureSizes(scene, uint32_t(largest));
     const std::vector<MipOptions> options = mipOptions(scene);
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         const harness::Texture& source = scene.textures[i];
-        if (std::max(source.width, source.height) > uint32_t(largest))
-            throw std::runtime_error("The texture \"" + source.name + "\" is larger than the device allows.");
         textures_.push_back(makeTexture(makeMipChain(source, options[i]), source.srgb));
     }
     textures_.push_back(makeTexture({{1, 1, {255, 255, 255, 255}}}, false));

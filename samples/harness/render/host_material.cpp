@@ -44,6 +44,15 @@ void checkMeshes(const Scene& scene) {
     }
 }
 
+void checkTextureSizes(const Scene& scene, uint32_t most) {
+    const auto text = [](uint32_t n) { return std::to_string(n); };
+    for (const Texture& texture : scene.textures)
+        if (std::max(texture.width, texture.height) > most)
+            throw std::runtime_error("The texture \"" + texture.name + "\" of the scene \"" + scene.name + "\" has " +
+                                     text(texture.width) + "x" + text(texture.height) + " texels; the device allows " +
+                                     text(most) + "x" + text(most) + ".");
+}
+
 DrawConstants drawConstants(const Scene& scene, const Draw& draw, uint32_t index) {
     DrawConstants c{};
     const glm::dmat3 linear(draw.toShading);

@@ -33,6 +33,9 @@ uint32_t materialFeatures(const Scene& scene, uint32_t material);
 // Throws std::runtime_error if a mesh exceeds the scene's vertices or indices.
 void checkMeshes(const Scene& scene);
 
+// Throws std::runtime_error with the name and size of a texture that is wider or higher than `most` texels.
+void checkTextureSizes(const Scene& scene, uint32_t most);
+
 // Matches the block Camera of object.glsl and material.frag (std140).
 struct CameraConstants {
     glm::mat4 viewProjection;

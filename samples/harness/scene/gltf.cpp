@@ -1,16 +1,15 @@
 #include "scene/gltf.h"
 
 #include "scene/builtin.h"
+#include "scene/gltf_document.h"
 #include "scene/gltf_reader.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
-#include <fstream>
-#include <string_view>
 
 namespace harness {
 
@@ -127,47 +126,6 @@ private:
     bool hasSun_ = false;
 };
 
-// tinygltf returns a pointer into a buffer without comparing the view with the buffer's size.
-bool loadImage(tinygltf::Image* image, const int index, std::string* error, std::string* warning, int width, int height,
-               const unsigned char* bytes, int size, void* model) {
-    if (image->bufferView >= 0) {
-        const auto& source = *static_cast<const tinygltf::Model*>(model);
-        const tinygltf::BufferView& view = source.bufferViews[size_t(image->bufferView)];
-        const size_t available = source.buffers[size_t(view.buffer)].data.size();
-        if (view.byteOffset > available || view.byteLength > available - view.byteOffset) {
-            *error += "an image reaches beyond its buffer";
-            return false;
-        }
-    }
-    return tinygltf::LoadImageData(image, index, error, warning, width, height, bytes, size, nullptr);
-}
-
-bool startsAsBinary(const std::filesystem::path& path) {
-    std::array<char, 4> magic{};
-    std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
-    return std::string_view(magic.data(), magic.size()) == "glTF";
-}
-
-void loadModel(const std::filesystem::path& path, tinygltf::Model& model) {
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(loadImage, &model);
-    std::string errors, warnings;
-    const bool loaded = startsAsBinary(path) ? loader.LoadBinaryFromFile(&model, &errors, &warnings, path.string())
-                                             : loader.LoadASCIIFromFile(&model, &errors, &warnings, path.string());
-    if (!loaded) {
-        const std::string first = errors.substr(0, errors.find('\n'));
-        throw std::runtime_error(first.empty() ? "unknown reason" : first);
-    }
-}
-
-void requireKnownExtensions(const GltfReader& reader) {
-    static constexpr std::array known{"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                      "KHR_mesh_quantization"};
-    for (const std::string& name : reader.model.extensionsRequired)
-        if (std::find(known.begin(), known.end(), name) == known.end())
-            reader.fail("it requires the extension " + name + ", which is not supported");
-}
-
 // glTF cameras have no target. The target distance is the depth of the middle of the scene.
 void moveTargets(Scene& scene) {
     const glm::dvec3 centre = 0.5 * (scene.boundsMin + scene.boundsMax);
@@ -189,14 +147,13 @@ Scene loadGltf(const std::filesystem::path& path) {
         throw std::runtime_error(file + ": there is no such file.");
     tinygltf::Model model;
     try {
-        loadModel(path, model);
-    } catch (const std::exception& error) {
-        throw std::runtime_error(file + ": not a readable glTF file (" + error.what() + ").");
+        model = readGltfModel(path);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(file + ": " + error.what() + ".");
     }
     Scene scene;
     scene.name = path.stem().string();
     GltfReader reader{model, file, scene};
-    requireKnownExtensions(reader);
     readMaterials(reader);
     NodeWalk walk(reader, readMeshes(reader));
     if (model.scenes.empty())
@@ -208,11 +165,17 @@ Scene loadGltf(const std::filesystem::path& path) {
     return scene;
 }
 
+bool isGltfName(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    return extension == ".gltf" || extension == ".glb";
+}
+
 Scene loadScene(const std::string& nameOrPath) {
     if (auto scene = makeBuiltinScene(nameOrPath))
         return std::move(*scene);
-    const std::string extension = std::filesystem::path(nameOrPath).extension().string();
-    if (extension != ".gltf" && extension != ".glb")
+    if (!isGltfName(nameOrPath))
         throw std::runtime_error("\"" + nameOrPath + "\" is neither a built-in scene nor a .gltf or .glb file.");
     return loadGltf(nameOrPath);
 }

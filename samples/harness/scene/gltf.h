@@ -12,6 +12,9 @@ namespace harness {
 // Throws std::runtime_error with one sentence that names the file if it cannot be read.
 Scene loadGltf(const std::filesystem::path& path);
 
+// Returns whether a name ends in .gltf or .glb, in any case.
+bool isGltfName(const std::filesystem::path& path);
+
 // Loads a built-in scene by name, or a file by path.
 Scene loadScene(const std::string& nameOrPath);
 

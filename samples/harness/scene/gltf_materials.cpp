@@ -1,7 +1,11 @@
+#include "scene/gltf_document.h"
 #include "scene/gltf_reader.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <set>
+#include <span>
 #include <tuple>
 
 namespace harness {
@@ -19,10 +23,13 @@ class TextureTable {
 public:
     explicit TextureTable(GltfReader& reader) : reader_(reader) {}
 
+    // Returns -1 if the material has no texture, or one whose only image has the format of an optional extension.
     int find(int index, bool srgb) {
         if (index < 0)
             return -1;
         const tinygltf::Texture& texture = reader_.at(reader_.model.textures, index, "textures");
+        if (texture.source < 0)
+            return -1;
         Wrap u = Wrap::Repeat, v = Wrap::Repeat;
         if (texture.sampler >= 0) {
             const auto& sampler = reader_.at(reader_.model.samplers, texture.sampler, "samplers");
@@ -31,36 +38,49 @@ public:
         }
         const auto key = std::tuple(texture.source, u, v, srgb);
         const auto [entry, isNew] = known_.try_emplace(key, int(reader_.scene.textures.size()));
-        if (isNew)
-            reader_.scene.textures.push_back(decode(texture.source, u, v, srgb));
+        if (isNew) {
+            reader_.scene.textures.push_back(decode(texture.source));
+            reader_.scene.textures.back().srgb = srgb;
+            reader_.scene.textures.back().wrapU = u;
+            reader_.scene.textures.back().wrapV = v;
+        }
         return entry->second;
     }
 
 private:
-    Texture decode(int source, Wrap u, Wrap v, bool srgb) const {
-        const tinygltf::Image& image = reader_.at(reader_.model.images, source, "images");
-        if (image.width <= 0 || image.height <= 0 || image.image.empty())
-            reader_.fail("the image \"" + image.uri + image.name + "\" could not be decoded");
+    // Returns the bytes of an image file.
+    std::span<const unsigned char> encoded(const tinygltf::Image& image, const std::string& name) const {
+        if (image.bufferView < 0) {
+            if (image.image.empty() && !image.uri.starts_with("data:"))
+                reader_.fail("the image file \"" + shortened(image.uri) + "\" is missing or empty");
+            return image.image;
+        }
+        const auto& view = reader_.at(reader_.model.bufferViews, image.bufferView, "bufferViews");
+        const std::vector<unsigned char>& bytes = reader_.at(reader_.model.buffers, view.buffer, "buffers").data;
+        if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset)
+            reader_.fail(name + " reaches beyond its buffer");
+        return std::span(bytes).subspan(view.byteOffset, view.byteLength);
+    }
+
+    Texture decode(int index) const {
+        const tinygltf::Image& source = reader_.at(reader_.model.images, index, "images");
         Texture out;
-        out.name = image.name.empty() ? image.uri : image.name;
+        out.name = shortened(!source.name.empty()  ? source.name
+                             : !source.uri.empty() ? source.uri
+                                                   : "image " + std::to_string(index));
+        const std::string name = "the image \"" + out.name + "\"";
+        const std::span<const unsigned char> bytes = encoded(source, name);
+        tinygltf::Image image; // 4 channels
+        std::string error, warning;
+        if (bytes.size() > size_t(std::numeric_limits<int>::max()) ||
+            !tinygltf::LoadImageData(&image, index, &error, &warning, 0, 0, bytes.data(), int(bytes.size()), nullptr))
+            reader_.fail(name + " could not be decoded");
         out.width = uint32_t(image.width);
         out.height = uint32_t(image.height);
-        out.srgb = srgb;
-        out.wrapU = u;
-        out.wrapV = v;
-        const size_t pixels = size_t(image.width) * size_t(image.height);
-        const size_t channels = size_t(image.component);
         const size_t step = image.bits == 16 ? 2 : 1; // the high byte of little-endian shorts
-        if (channels == 0 || image.image.size() < pixels * channels * step)
-            reader_.fail("an image has fewer bytes than pixels");
-        out.rgba.assign(pixels * 4, 255);
-        for (size_t i = 0; i < pixels; ++i)
-            for (size_t c = 0; c < 4; ++c) {
-                const bool isGrey = channels < 3;
-                const size_t from = isGrey ? (c < 3 ? 0 : 1) : c;
-                if (from < channels)
-                    out.rgba[4 * i + c] = image.image[(i * channels + from) * step + step - 1];
-            }
+        out.rgba.resize(size_t(out.width) * out.height * 4);
+        for (size_t i = 0; i < out.rgba.size(); ++i)
+            out.rgba[i] = image.image[i * step + step - 1];
         return out;
     }
 
@@ -79,7 +99,7 @@ glm::vec3 scaledEmission(const glm::vec3& factor, float strength) {
     return glm::vec3(largest > brightest ? emission * (brightest / largest) : emission);
 }
 
-Material materialOf(const tinygltf::Material& source, TextureTable& textures) {
+Material materialOf(const tinygltf::Material& source) {
     Material material;
     material.name = source.name;
     const auto& pbr = source.pbrMetallicRoughness;
@@ -102,19 +122,37 @@ Material materialOf(const tinygltf::Material& source, TextureTable& textures) {
         material.alphaMode = AlphaMode::Opaque; // every alpha passes
     material.doubleSided = source.doubleSided;
     material.normalScale = float(source.normalTexture.scale);
+    return material;
+}
+
+void readTextures(Material& material, const tinygltf::Material& source, TextureTable& textures) {
+    const auto& pbr = source.pbrMetallicRoughness;
     material.baseColorTexture = textures.find(pbr.baseColorTexture.index, true);
     material.normalTexture = textures.find(source.normalTexture.index, false);
     material.metalRoughTexture = textures.find(pbr.metallicRoughnessTexture.index, false);
     material.emissiveTexture = textures.find(source.emissiveTexture.index, true);
-    return material;
+}
+
+// Returns the materials of all primitives. A file may hold materials for other programs.
+std::set<size_t> usedMaterials(const tinygltf::Model& model) {
+    std::set<size_t> used;
+    for (const tinygltf::Mesh& mesh : model.meshes)
+        for (const tinygltf::Primitive& primitive : mesh.primitives)
+            if (primitive.material >= 0)
+                used.insert(size_t(primitive.material));
+    return used;
 }
 
 } // namespace
 
 void readMaterials(GltfReader& reader) {
     TextureTable textures(reader);
-    for (const tinygltf::Material& material : reader.model.materials)
-        reader.scene.materials.push_back(materialOf(material, textures));
+    const std::set<size_t> used = usedMaterials(reader.model);
+    for (size_t i = 0; i < reader.model.materials.size(); ++i) {
+        reader.scene.materials.push_back(materialOf(reader.model.materials[i]));
+        if (used.contains(i))
+            readTextures(reader.scene.materials.back(), reader.model.materials[i], textures);
+    }
     Material plain; // material of primitives without one
     plain.name = "default";
     plain.metallic = 1;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <stdexcept>
 
 namespace harness::vk {
 
@@ -46,11 +45,10 @@ void GpuScene::uploadGeometry(Uploader& uploader, const Scene& scene) {
 }
 
 void GpuScene::uploadTextures(Uploader& uploader, const Scene& scene) {
+    checkTextureSizes(scene, device_->limits().maxImageDimension2D);
     const std::vector<MipOptions> options = mipOptions(scene);
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         const Texture& texture = scene.textures[i];
-        if (std::max(texture.width, texture.height) > device_->limits().maxImageDimension2D)
-            throw std::runtime_error("The texture \"" + texture.name + "\" is larger than the device allows.");
         textures_.push_back(uploader.texture(arena_, makeMipChain(texture, options[i]), texture.srgb));
         textureWraps_.emplace_back(texture.wrapU, texture.wrapV);
     }

@@ -1,0 +1,235 @@
+#include "scene/gltf_document.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+namespace harness {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr uint32_t jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;
+constexpr int mostNesting = 100; // glTF itself nests about ten deep
+
+struct Document {
+    std::string text;
+    std::string binary; // chunk of a .glb file
+    bool isBinary = false;
+};
+
+[[noreturn]] void refuse(const std::string& why) {
+    throw std::runtime_error("not a readable glTF file (" + shortened(why) + ")");
+}
+
+std::string readFile(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes(std::istreambuf_iterator<char>(in), {});
+    if (!in)
+        refuse("it cannot be read");
+    if (bytes.size() > std::numeric_limits<int32_t>::max()) // the length that tinygltf takes has 32 bits
+        refuse("it is larger than 2 GiB");
+    return bytes;
+}
+
+uint32_t wordAt(const std::string& bytes, size_t offset) {
+    uint32_t word = 0;
+    std::memcpy(&word, bytes.data() + offset, sizeof word); // little-endian, as the format is
+    return word;
+}
+
+Document splitChunks(const std::string& bytes) {
+    Document document;
+    document.isBinary = true;
+    if (bytes.size() < 20 || wordAt(bytes, 4) != 2)
+        refuse("it has no header of a version 2 binary");
+    for (size_t at = 12; at + 8 <= bytes.size();) {
+        const uint32_t length = wordAt(bytes, at), type = wordAt(bytes, at + 4);
+        at += 8;
+        if (length > bytes.size() - at)
+            refuse("a chunk is longer than the file");
+        if (type == jsonChunk && document.text.empty())
+            document.text = bytes.substr(at, length);
+        else if (type == binaryChunk && document.binary.empty())
+            document.binary = bytes.substr(at, length);
+        at += (size_t(length) + 3) / 4 * 4;
+    }
+    return document;
+}
+
+// Brackets in strings do not nest.
+void checkNesting(const std::string& text) {
+    int depth = 0;
+    bool inString = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inString && c == '\\')
+            ++i;
+        else if (c == '"')
+            inString = !inString;
+        else if (!inString && (c == '{' || c == '['))
+            ++depth;
+        else if (!inString && (c == '}' || c == ']'))
+            --depth;
+        if (depth > mostNesting)
+            refuse("its values are nested more than " + std::to_string(mostNesting) + " deep");
+    }
+}
+
+json parse(const std::string& text) {
+    checkNesting(text);
+    try {
+        return json::parse(text);
+    } catch (const json::exception& error) {
+        refuse(error.what());
+    }
+}
+
+void requireKnownExtensions(const json& root) {
+    static constexpr std::array known{"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                      "KHR_mesh_quantization"};
+    const auto required = root.find("extensionsRequired");
+    if (required == root.end() || !required->is_array())
+        return;
+    for (const json& name : *required)
+        if (name.is_string() && std::find(known.begin(), known.end(), name.get<std::string>()) == known.end())
+            throw std::runtime_error("it requires the extension " + shortened(name.get<std::string>()) +
+                                     ", which is not supported");
+}
+
+std::string replaced(const std::string& text, std::string_view from, std::string_view to) {
+    std::string out;
+    size_t begin = 0;
+    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, begin)) {
+        out.append(text, begin, at - begin).append(to);
+        begin = at + from.size();
+    }
+    return out.append(text, begin);
+}
+
+// tinygltf decodes URIs as forms do, where a plus sign is a space. Returns whether there was one to escape.
+bool escapePlusSigns(json& root, const char* list) {
+    bool isChanged = false;
+    const auto found = root.find(list);
+    if (found == root.end() || !found->is_array())
+        return false;
+    for (json& item : *found) {
+        if (!item.is_object() || !item.contains("uri") || !item["uri"].is_string())
+            continue;
+        auto& uri = item["uri"].get_ref<std::string&>();
+        if (uri.starts_with("data:") || uri.find('+') == std::string::npos)
+            continue;
+        uri = replaced(uri, "+", "%2B");
+        isChanged = true;
+    }
+    return isChanged;
+}
+
+void append(std::string& bytes, uint32_t word) { bytes.append(reinterpret_cast<const char*>(&word), sizeof word); }
+
+void appendChunk(std::string& bytes, uint32_t type, std::string content, char padding) {
+    content.resize((content.size() + 3) / 4 * 4, padding);
+    append(bytes, uint32_t(content.size()));
+    append(bytes, type);
+    bytes += content;
+}
+
+// Returns a .glb file whose sizes are right.
+std::string joinChunks(const Document& document) {
+    std::string chunks;
+    appendChunk(chunks, jsonChunk, document.text, ' ');
+    if (!document.binary.empty())
+        appendChunk(chunks, binaryChunk, document.binary, '\0');
+    std::string bytes = "glTF";
+    append(bytes, 2);
+    append(bytes, uint32_t(12 + chunks.size()));
+    return bytes + chunks;
+}
+
+bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
+                 int size, void*) {
+    // tinygltf does not compare the view of an image with its buffer, so its bytes must not be read here.
+    if (image->bufferView < 0 && size > 0)
+        image->image.assign(bytes, bytes + size);
+    return true;
+}
+
+} // namespace
+
+std::string shortened(std::string_view text) {
+    constexpr size_t longWord = 80, kept = 50, mostBytes = 300;
+    std::string out, word;
+    const auto isContinuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+    const auto cut = [&](std::string& s, size_t length) {
+        while (length > 0 && isContinuation(s[length]))
+            --length;
+        s.resize(length);
+    };
+    const auto takeWord = [&] {
+        const size_t size = word.size();
+        if (size > longWord) {
+            cut(word, kept);
+            word += "… (" + std::to_string(size) + " bytes)";
+        }
+        out += word;
+        word.clear();
+    };
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code > ' ' && code != 0x7F) {
+            word += c;
+            continue;
+        }
+        takeWord();
+        out += ' ';
+    }
+    takeWord();
+    if (out.size() > mostBytes) {
+        cut(out, mostBytes);
+        out += "…";
+    }
+    return out;
+}
+
+tinygltf::Model readGltfModel(const std::filesystem::path& path) {
+    const std::string bytes = readFile(path);
+    Document document = bytes.starts_with("glTF") ? splitChunks(bytes) : Document{bytes, {}, false};
+    json root = parse(document.text);
+    requireKnownExtensions(root);
+    if (escapePlusSigns(root, "buffers") | escapePlusSigns(root, "images"))
+        document.text = root.dump();
+    root.clear();
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(keepEncoded, nullptr);
+    tinygltf::Model model;
+    std::string errors, warnings;
+    const std::string folder = path.parent_path().string();
+    bool isLoaded = false;
+    try {
+        if (document.isBinary) {
+            const std::string joined = joinChunks(document);
+            isLoaded = loader.LoadBinaryFromMemory(&model, &errors, &warnings,
+                                                   reinterpret_cast<const unsigned char*>(joined.data()),
+                                                   unsigned(joined.size()), folder);
+        } else {
+            isLoaded = loader.LoadASCIIFromString(&model, &errors, &warnings, document.text.data(),
+                                                  unsigned(document.text.size()), folder);
+        }
+    } catch (const std::exception& error) {
+        refuse(error.what());
+    }
+    if (!isLoaded)
+        refuse(errors.empty() ? "unknown reason" : errors.substr(0, errors.find('\n')));
+    for (tinygltf::Image& image : model.images)
+        image.uri = replaced(image.uri, "%2B", "+"); // names in messages are those of the file
+    return model;
+}
+
+} // namespace harness

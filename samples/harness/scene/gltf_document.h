@@ -1,0 +1,21 @@
+// The bytes of a glTF file. They are checked before tinygltf parses them, because it trusts chunk sizes, recurses into
+// nested values, and fails at the consequences of an extension before it reports the extension.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace harness {
+
+// Parses a .gltf or .glb file; its first bytes decide which. Images are not decoded: Image::image holds the bytes of an
+// image file, and is empty if the image lies in a buffer or its file is missing or empty. Throws std::runtime_error
+// without the name of the file.
+tinygltf::Model readGltfModel(const std::filesystem::path& path);
+
+// Returns a file's text for a sentence: control characters become spaces, and long words, such as data URIs, are cut.
+std::string shortened(std::string_view text);
+
+} // namespace harness
