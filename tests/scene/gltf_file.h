@@ -21,7 +21,7 @@ public:
     template <typename T>
     int add(const std::vector<T>& values, const std::string& type, int componentType, bool normalized = false) {
         static const std::vector<std::pair<std::string, size_t>> types{
-            {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
+            {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
         size_t components = 0;
         for (const auto& [name, count] : types)
             if (name == type)
@@ -99,6 +99,8 @@ constexpr int kByte = 5121, kShort = 5123, kInt = 5125, kFloat = 5126;
 
 // A unit square in the plane z = 0 facing +z, as a strip.
 inline const std::vector<float> kSquare{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+
+inline const std::vector<float> kSquareNormals{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
 
 // A 1 x 2 PNG: red above transparent black.
 inline const std::vector<uint8_t> kPng{

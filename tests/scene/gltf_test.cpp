@@ -45,17 +45,24 @@ TEST(Gltf, StripsFansListsAndAllIndexTypesGiveTheSameSquare) {
         expectNear(vertex.normal, {0, 0, 1});
 }
 
-TEST(Gltf, GeneratedNormalsAreWeightedByArea) {
-    // A large triangle facing +z and a small one facing +x share the vertices 0 and 2.
+// Vertices without normals are those of flat triangles, and their tangents are ignored.
+TEST(Gltf, TrianglesWithoutNormalsAreFlat) {
+    // Two triangles, facing +z and -x, share the vertices 0 and 2. The third has no area.
     GltfFile file;
     const int position = file.add(std::vector<float>{0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, -1}, "VEC3", kFloat);
-    const int indices = file.add(std::vector<uint8_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kByte);
-    const Scene scene = loadGltf(file.writeGltf(
-        "normals", oneNode(R"("attributes":{"POSITION":)" + str(position) + R"(},"indices":)" + str(indices))));
-    const double length = std::sqrt(10.0);
-    expectNear(scene.vertices[0].normal, {-1 / length, 0, 3 / length});
-    expectNear(scene.vertices[1].normal, {0, 0, 1});
-    expectNear(scene.vertices[3].normal, {-1, 0, 0});
+    const int tangent = file.add(std::vector<float>{0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, "VEC4", kFloat);
+    const int indices = file.add(std::vector<uint8_t>{0, 1, 2, 0, 2, 3, 1, 1, 2}, "SCALAR", kByte);
+    const Scene scene =
+        loadGltf(file.writeGltf("normals", oneNode(R"("attributes":{"POSITION":)" + str(position) + R"(,"TANGENT":)" +
+                                                   str(tangent) + R"(},"indices":)" + str(indices))));
+    ASSERT_EQ(scene.vertices.size(), 9u);
+    ASSERT_EQ(scene.meshes.at(0).indexCount, 9u);
+    for (size_t i = 0; i < 3; ++i) {
+        expectNear(scene.vertices[i].normal, {0, 0, 1});
+        expectNear(scene.vertices[3 + i].normal, {-1, 0, 0});
+        expectNear(scene.vertices[6 + i].normal, {0, 1, 0});
+        expectNear(glm::vec3(scene.vertices[i].tangent), {1, 0, 0});
+    }
 }
 
 TEST(Gltf, NodesMultiplyAndShareMeshes) {
@@ -85,8 +92,9 @@ TEST(Gltf, ColoursAndTextureCoordinatesMayBeNormalisedIntegers) {
         file.add(std::vector<uint8_t>{255, 0, 51, 255, 1, 2, 3, 4, 0, 0, 0, 0, 9, 9, 9, 9}, "VEC4", kByte, true);
     const int floats = file.add(std::vector<float>{2, -1, 0.5f, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3", kFloat);
     const int uv = file.add(std::vector<uint16_t>{0, 65535, 65535, 0, 0, 0, 13107, 0}, "VEC2", kShort, true);
-    const std::string common =
-        R"({"mode":5,"attributes":{"POSITION":)" + str(position) + R"(,"TEXCOORD_0":)" + str(uv) + R"(,"COLOR_0":)";
+    const int normal = file.add(kSquareNormals, "VEC3", kFloat);
+    const std::string common = R"({"mode":5,"attributes":{"POSITION":)" + str(position) + R"(,"NORMAL":)" +
+                               str(normal) + R"(,"TEXCOORD_0":)" + str(uv) + R"(,"COLOR_0":)";
     const Scene scene =
         loadGltf(file.writeGltf("colours", R"("meshes":[{"primitives":[)" + common + str(bytes) + "}}," + common +
                                                str(floats) + R"(}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}])"));
@@ -158,19 +166,18 @@ TEST(Gltf, InfiniteEmissionIsTheBrightest) {
 
 TEST(Gltf, TangentsAreGeneratedForNormalMaps) {
     GltfFile file;
-    const int position = file.add(kSquare, "VEC3", kFloat);
+    const std::string attributes = R"("attributes":{"POSITION":)" + str(file.add(kSquare, "VEC3", kFloat)) +
+                                   R"(,"NORMAL":)" + str(file.add(kSquareNormals, "VEC3", kFloat));
     // u along +y; the mirrored copy has v along -x of the other; the last has no uv area at all.
     const std::vector<std::vector<float>> uvs{
         {0, 0, 0, 1, 1, 0, 1, 1}, {0, 1, 0, 0, 1, 1, 1, 0}, {0, 0, 0, 0, 0, 0, 0, 0}};
     std::string primitives;
     for (const auto& uv : uvs)
-        primitives += std::string(primitives.empty() ? "" : ",") +
-                      R"({"mode":5,"material":0,"attributes":{"POSITION":)" + str(position) + R"(,"TEXCOORD_0":)" +
-                      str(file.add(uv, "VEC2", kFloat)) + "}}";
+        primitives += std::string(primitives.empty() ? "" : ",") + R"({"mode":5,"material":0,)" + attributes +
+                      R"(,"TEXCOORD_0":)" + str(file.add(uv, "VEC2", kFloat)) + "}}";
     // A file's own tangents: not unit, not across the normal, none at all.
     const int own = file.add(std::vector<float>{2, 0, 2, -1, 0, 3, 0, 1, 0, 0, 0, 1, 0, 0, 5, 1}, "VEC4", kFloat);
-    primitives +=
-        R"(,{"mode":5,"material":0,"attributes":{"POSITION":)" + str(position) + R"(,"TANGENT":)" + str(own) + "}}";
+    primitives += R"(,{"mode":5,"material":0,)" + attributes + R"(,"TANGENT":)" + str(own) + "}}";
     const int image = file.addView(kPng);
     const Scene scene = loadGltf(file.writeGlb(
         "tangents",
@@ -225,9 +232,11 @@ TEST(Gltf, LightsAndCamerasFollowTheirNodes) {
     EXPECT_EQ(scene.lights[3].type, LightType::Spot);
     EXPECT_FLOAT_EQ(scene.lights[3].innerCone, 0.1f);
     EXPECT_FLOAT_EQ(scene.lights[3].outerCone, 0.4f);
-    ASSERT_EQ(scene.cameras.size(), 1u) << "orthographic cameras are left out";
+    ASSERT_EQ(scene.cameras.size(), 2u);
+    EXPECT_DOUBLE_EQ(scene.cameras[1].height, 2);
     const Camera& camera = scene.cameras[0];
     EXPECT_EQ(camera.name, "view");
+    EXPECT_EQ(camera.height, 0);
     expectNear(camera.eye, {0.5, 10, 0});
     expectNear(camera.target, {0.5, 0.5, 0}); // at the depth of the bounds' middle
     expectNear(camera.up, {0, 0, -1});
@@ -310,12 +319,17 @@ TEST(GltfErrors, DataBeyondTheBuffer) {
                       R"("materials":[{"emissiveTexture":{"index":0}}],)" +
                           oneNode(R"("material":0,"attributes":{"POSITION":0})")),
                 "the image \"image 0\" reaches beyond its buffer");
-    expectError(
-        write(
-            R"("byteLength":64)",
-            R"("count":3,"sparse":{"count":1,"indices":{"bufferView":0,"componentType":5125},"values":{"bufferView":0}})",
-            square),
-        "sparse");
+    const auto sparse = [&](const std::string& count, const std::string& indices) {
+        return write(R"("byteLength":64)",
+                     R"("count":3,"sparse":{"count":)" + count + R"(,"indices":{"bufferView":0,"componentType":5125)" +
+                         indices + R"(},"values":{"bufferView":0}})",
+                     square);
+    };
+    EXPECT_EQ(loadGltf(sparse("1", "")).placedTriangles(), 1u);
+    expectError(sparse("6", ""), beyond);
+    expectError(sparse("-1", ""), "invalid indices");
+    expectError(sparse("1", R"(,"byteOffset":65)"), beyond);
+    expectError(sparse("1", R"(,"byteOffset":-4)"), "invalid indices");
     EXPECT_EQ(loadGltf(write(R"("byteLength":60)", R"("count":5)", square)).placedTriangles(), 1u);
 }
 

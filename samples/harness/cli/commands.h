@@ -89,7 +89,8 @@ std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector
 
 // Shared by commands that render.
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);
-Scene loadSceneArgument(const std::string& nameOrPath); // throws BadArgument if there is none
+// Throws BadArgument if there is no such scene. Prints the features of a file that the scene does not have to stderr.
+Scene loadSceneArgument(const std::string& nameOrPath);
 RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration, const Scene& scene);
 
 } // namespace harness

@@ -196,7 +196,10 @@ Scene loadSceneArgument(const std::string& nameOrPath) {
     if (!isGltfName(nameOrPath))
         throw BadArgument("--scene is \"" + nameOrPath +
                           "\"; it is a name that `scenes` lists, or a .gltf or .glb file.");
-    return loadGltf(nameOrPath);
+    Scene scene = loadGltf(nameOrPath);
+    for (const std::string& sentence : scene.dropped)
+        std::fprintf(stderr, "warning: %s\n", sentence.c_str());
+    return scene;
 }
 
 } // namespace harness

@@ -2,8 +2,10 @@
 
 #include "scene/builtin.h"
 #include "scene/gltf_document.h"
-#include "scene/gltf_reader.h"
+#include "scene/gltf_meshes.h"
 
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -37,43 +39,63 @@ glm::dvec3 axisOf(const glm::dmat4& transform, const glm::dvec3& axis) {
     return length > 0 ? v / length : axis;
 }
 
+float notNegative(double value) { return std::max(finiteFloat(value), 0.0f); }
+
 Light lightOf(const tinygltf::Light& source, const glm::dmat4& transform, bool& hasSun) {
     Light light;
     light.position = glm::dvec3(transform[3]);
     light.direction = axisOf(transform, {0, 0, -1});
     for (int i = 0; i < 3 && size_t(i) < source.color.size(); ++i)
-        light.color[i] = float(source.color[size_t(i)]);
-    light.color *= float(source.intensity);
-    light.range = float(source.range);
+        light.color[i] = notNegative(source.color[size_t(i)]);
+    light.color = glm::min(light.color * notNegative(source.intensity), float(largestNumber));
+    light.range = notNegative(source.range);
     if (source.type == "directional") {
         light.type = LightType::Directional;
         light.castsShadow = !hasSun;
         hasSun = true;
     } else if (source.type == "spot") {
         light.type = LightType::Spot;
-        light.innerCone = float(source.spot.innerConeAngle);
-        light.outerCone = float(source.spot.outerConeAngle);
+        light.outerCone = float(std::clamp(source.spot.outerConeAngle, 0.0, glm::half_pi<double>()));
+        light.innerCone = float(std::clamp(source.spot.innerConeAngle, 0.0, double(light.outerCone)));
     }
     return light;
 }
 
-Camera cameraOf(const tinygltf::Camera& source, const glm::dmat4& transform) {
+// Returns nothing for a camera that covers no angle or no height.
+std::optional<Camera> cameraOf(const tinygltf::Camera& source, const glm::dmat4& transform) {
     Camera camera;
     camera.name = source.name;
     camera.eye = glm::dvec3(transform[3]);
     camera.target = camera.eye + axisOf(transform, {0, 0, -1});
     camera.up = axisOf(transform, {0, 1, 0});
+    if (source.type == "orthographic") {
+        camera.height = 2 * std::abs(source.orthographic.ymag);
+        return camera.height > 0 && camera.height <= largestNumber ? std::optional(camera) : std::nullopt;
+    }
     camera.fovDegrees = glm::degrees(source.perspective.yfov);
-    return camera;
+    return camera.fovDegrees > 0 && camera.fovDegrees < 180 ? std::optional(camera) : std::nullopt;
 }
 
 class NodeWalk {
 public:
-    NodeWalk(GltfReader& reader, std::vector<uint32_t> firstMesh)
-        : reader_(reader), firstMesh_(std::move(firstMesh)), seen_(reader.model.nodes.size(), false) {}
+    explicit NodeWalk(GltfReader& reader) : reader_(reader), meshes_(reader) {
+        reader.transforms.resize(reader.model.nodes.size());
+    }
 
-    // Traverses depth first with an explicit stack, because a file may nest deeper than the call stack allows.
+    // Transforms come first, because skins need those of other nodes.
     void visit(const std::vector<int>& roots) {
+        for (const int index : findTransforms(roots))
+            take(reader_.model.nodes[size_t(index)], *reader_.transforms[size_t(index)]);
+    }
+
+private:
+    // Returns the nodes depth first. The stack is explicit, because a file may nest deeper than the call stack allows.
+    std::vector<int> findTransforms(const std::vector<int>& roots) {
+        struct Pending {
+            int node;
+            glm::dmat4 parent;
+        };
+        std::vector<int> order;
         std::vector<Pending> pending;
         const auto push = [&](const std::vector<int>& nodes, const glm::dmat4& parent) {
             for (size_t i = nodes.size(); i-- > 0;)
@@ -84,34 +106,31 @@ public:
             const Pending next = pending.back();
             pending.pop_back();
             const tinygltf::Node& node = reader_.at(reader_.model.nodes, next.node, "nodes");
-            if (seen_[size_t(next.node)])
+            if (reader_.transforms[size_t(next.node)])
                 reader_.fail("the node hierarchy is not a tree");
-            seen_[size_t(next.node)] = true;
             const glm::dmat4 transform = next.parent * localTransform(node);
             for (int i = 0; i < 16; ++i)
-                if (!std::isfinite(glm::value_ptr(transform)[i]))
-                    reader_.fail("a node's transform is not finite");
-            take(node, transform);
+                if (!(std::abs(glm::value_ptr(transform)[i]) <= largestNumber))
+                    reader_.fail("a node's transform is not finite, or has a number above 1e15");
+            reader_.transforms[size_t(next.node)] = transform;
+            order.push_back(next.node);
             push(node.children, transform);
         }
+        return order;
     }
 
-private:
-    struct Pending {
-        int node;
-        glm::dmat4 parent;
-    };
-
     void take(const tinygltf::Node& node, const glm::dmat4& transform) {
-        if (node.mesh >= 0) {
-            reader_.at(reader_.model.meshes, node.mesh, "meshes");
-            for (uint32_t mesh = firstMesh_[size_t(node.mesh)]; mesh < firstMesh_[size_t(node.mesh) + 1]; ++mesh)
-                reader_.scene.instances.push_back({mesh, transform});
-        }
+        if (node.mesh >= 0)
+            for (const PlacedMesh& placed : meshes_.find(node)) {
+                const glm::dmat4 toWorld = placed.isSkinned ? glm::dmat4(1) : transform;
+                reader_.scene.instances.push_back({placed.mesh, glm::translate(toWorld, placed.origin)});
+            }
         if (node.camera >= 0) {
-            const auto& camera = reader_.at(reader_.model.cameras, node.camera, "cameras");
-            if (camera.type == "perspective")
-                reader_.scene.cameras.push_back(cameraOf(camera, transform));
+            const auto camera = cameraOf(reader_.at(reader_.model.cameras, node.camera, "cameras"), transform);
+            if (camera)
+                reader_.scene.cameras.push_back(*camera);
+            else
+                reader_.drop("a camera that covers no angle or no height is ignored");
         }
         const auto light = node.extensions.find("KHR_lights_punctual");
         if (light != node.extensions.end() && light->second.Has("light"))
@@ -121,8 +140,7 @@ private:
     }
 
     GltfReader& reader_;
-    std::vector<uint32_t> firstMesh_;
-    std::vector<bool> seen_;
+    MeshTable meshes_;
     bool hasSun_ = false;
 };
 
@@ -154,8 +172,9 @@ Scene loadGltf(const std::filesystem::path& path) {
     Scene scene;
     scene.name = path.stem().string();
     GltfReader reader{model, file, scene};
+    dropUnsupportedFeatures(reader);
     readMaterials(reader);
-    NodeWalk walk(reader, readMeshes(reader));
+    NodeWalk walk(reader);
     if (model.scenes.empty())
         reader.fail("it has no scene");
     const int chosen = model.defaultScene >= 0 ? model.defaultScene : 0;

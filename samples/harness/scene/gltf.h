@@ -1,6 +1,6 @@
-// Loads glTF 2.0 (.gltf, .glb) into a Scene: triangles with the first set of texture coordinates, core materials with
-// KHR_materials_emissive_strength, KHR_lights_punctual, perspective cameras. It skips animation, skins and morph
-// targets, and refuses a file that requires any other extension.
+// Loads glTF 2.0 (.gltf, .glb) into a Scene: triangles in their default shape and pose, core materials, perspective and
+// orthographic cameras, and the extensions of gltf_document.h. Scene::dropped names the other features of a file, and a
+// file that requires another extension is refused. docs/sample-engine.md lists the limits.
 #pragma once
 
 #include "scene/scene.h"

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -93,13 +92,12 @@ json parse(const std::string& text) {
 }
 
 void requireKnownExtensions(const json& root) {
-    static constexpr std::array known{"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                      "KHR_mesh_quantization"};
     const auto required = root.find("extensionsRequired");
     if (required == root.end() || !required->is_array())
         return;
     for (const json& name : *required)
-        if (name.is_string() && std::find(known.begin(), known.end(), name.get<std::string>()) == known.end())
+        if (name.is_string() &&
+            std::find(knownExtensions.begin(), knownExtensions.end(), name.get<std::string>()) == knownExtensions.end())
             throw std::runtime_error("it requires the extension " + shortened(name.get<std::string>()) +
                                      ", which is not supported");
 }

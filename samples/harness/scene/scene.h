@@ -2,6 +2,7 @@
 // as double or float; the renderer converts them to camera-relative ones.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -56,6 +57,17 @@ struct Material {
 
 enum class Wrap { Repeat, Mirror, Clamp };
 
+enum class Filter { Linear, Nearest };
+enum class MipFilter { Linear, Nearest, None };
+
+struct TextureFilters {
+    Filter magnify = Filter::Linear;
+    Filter minify = Filter::Linear; // within a mip level
+    MipFilter mips = MipFilter::Linear;
+
+    auto operator<=>(const TextureFilters&) const = default;
+};
+
 // RGBA8, rows from top to bottom, no mip levels (the renderer makes them).
 struct Texture {
     std::string name;
@@ -65,6 +77,7 @@ struct Texture {
     Wrap wrapU = Wrap::Repeat;
     Wrap wrapV = Wrap::Repeat;
     std::vector<uint8_t> rgba;
+    TextureFilters filters = {};
 };
 
 enum class LightType { Directional, Point, Spot };
@@ -86,6 +99,7 @@ struct Camera {
     glm::dvec3 target{0};
     glm::dvec3 up{0, 1, 0};
     double fovDegrees = 60; // vertical
+    double height = 0;      // world units that an orthographic view covers vertically; 0: perspective
 };
 
 struct Scene {
@@ -99,7 +113,8 @@ struct Scene {
     std::vector<Texture> textures;
     std::vector<Light> lights;
     std::vector<Camera> cameras;
-    glm::dvec3 boundsMin{0}; // world space, over all instances, without stray vertices
+    std::vector<std::string> dropped; // one sentence for each feature of a file that the scene does not have
+    glm::dvec3 boundsMin{0};          // world space, over all instances, without stray vertices
     glm::dvec3 boundsMax{0};
 
     uint64_t placedTriangles() const;

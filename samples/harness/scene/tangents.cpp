@@ -18,16 +18,22 @@ glm::vec3 tangentAcross(const glm::vec3& normal, const glm::vec3& tangent) {
     return unitOr(tangent - normal * glm::dot(normal, tangent), across(normal));
 }
 
-void generateNormals(std::span<Vertex> vertices, std::span<const uint32_t> indices) {
-    std::vector<glm::vec3> sums(vertices.size(), glm::vec3(0));
+void makeFlat(std::vector<Vertex>& vertices, std::vector<uint32_t>& indices) {
+    std::vector<Vertex> flat;
+    flat.reserve(indices.size());
     for (size_t i = 0; i + 2 < indices.size(); i += 3) {
-        const glm::vec3& a = vertices[indices[i]].position;
-        const glm::vec3 n = glm::cross(vertices[indices[i + 1]].position - a, vertices[indices[i + 2]].position - a);
-        for (size_t corner = 0; corner < 3; ++corner)
-            sums[indices[i + corner]] += n;
+        const auto corner = [&](size_t c) { return glm::dvec3(vertices[indices[i + c]].position); };
+        const glm::dvec3 n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        const double length = glm::length(n);
+        for (size_t c = 0; c < 3; ++c) {
+            flat.push_back(vertices[indices[i + c]]);
+            flat.back().normal = length > 0 ? glm::vec3(n / length) : glm::vec3(0, 1, 0);
+        }
     }
-    for (size_t i = 0; i < vertices.size(); ++i)
-        vertices[i].normal = unitOr(sums[i], {0, 1, 0});
+    for (size_t i = 0; i < flat.size(); ++i)
+        indices[i] = uint32_t(i);
+    indices.resize(flat.size());
+    vertices = std::move(flat);
 }
 
 void generateTangents(std::span<Vertex> vertices, std::span<const uint32_t> indices) {

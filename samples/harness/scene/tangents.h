@@ -14,7 +14,7 @@ void generateTangents(std::span<Vertex> vertices, std::span<const uint32_t> indi
 // Returns the normalised part of a tangent that is perpendicular to the unit normal, or any perpendicular vector if
 // there is none.
 glm::vec3 tangentAcross(const glm::vec3& normal, const glm::vec3& tangent);
-// Sets area-weighted smooth normals. A vertex of no triangle gets +y.
-void generateNormals(std::span<Vertex> vertices, std::span<const uint32_t> indices);
+// Gives each triangle its own vertices, with the normal of the triangle, or +y if the triangle has no area.
+void makeFlat(std::vector<Vertex>& vertices, std::vector<uint32_t>& indices);
 
 } // namespace harness
