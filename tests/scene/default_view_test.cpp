@@ -146,3 +146,28 @@ TEST(DefaultLights, AreFiniteInAnEmptyScene) {
         EXPECT_TRUE(light.type == LightType::Directional || light.range > 0);
     }
 }
+
+TEST(CameraMatrices, OrthographicViewsCoverTheirHeight) {
+    const Scene scene = sheet({-1, -1, 0}, {1, 1, 0});
+    RenderSettings settings;
+    settings.width = 200;
+    settings.height = 100;
+    settings.camera.eye = {0, 0, 3};
+    settings.camera.height = 4;
+    settings.jitter = {0.5, 0.25};
+    for (const bool reversedZ : {false, true}) {
+        settings.reversedZ = reversedZ;
+        const CameraMatrices m = cameraMatrices(scene, settings, ClipY::Down);
+        EXPECT_EQ(m.viewer, glm::dvec4(0, 0, 1, 0));
+        for (const double depth : {1.0, 3.0}) {
+            const glm::dvec4 clip = m.viewProjection * glm::dvec4(4, 2, -depth, 1);
+            EXPECT_DOUBLE_EQ(clip.w, 1);
+            EXPECT_DOUBLE_EQ(clip.x, 1 + 1.0 / 200); // a jitter of half a pixel
+            EXPECT_DOUBLE_EQ(clip.y, -1 + 0.5 / 100);
+            EXPECT_NEAR(clip.z, reversedZ ? 1 - depth / m.farPlane : depth / m.farPlane, 1e-12);
+        }
+    }
+    // A perspective view has its viewer at the origin.
+    settings.camera.height = 0;
+    EXPECT_EQ(cameraMatrices(scene, settings, ClipY::Down).viewer, glm::dvec4(0, 0, 0, 1));
+}

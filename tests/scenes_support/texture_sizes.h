@@ -5,7 +5,8 @@
 
 namespace harness::test {
 
-// By id, where textures come from arrays by size, as from a G-buffer, where each is bound by itself.
+// By id, where textures come from arrays by size and fetch.glsl wraps and filters, as from a G-buffer, where each is
+// bound by itself with a sampler.
 void expectTextureSizesAgree(Renderer& renderer);
 
 } // namespace harness::test

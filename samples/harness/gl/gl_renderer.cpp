@@ -71,10 +71,10 @@ void GlRenderer::prepare(const FrameInput& input) {
             strips_.emplace(gl, scene(), *gpuScene_);
     }
     const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
-    const CameraConstants camera{viewProjection, float(settings.footprint)};
+    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(settings.footprint)};
     gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof camera, &camera);
     if (fetch_) {
-        fetch_->update(scene(), input.draws, viewProjection);
+        fetch_->update(scene(), input.draws, {viewProjection, camera.viewer});
         fetch_->bind();
     }
     device_.checkErrors("prepare a frame");

@@ -1,7 +1,5 @@
 #include "gl/gpu_fetch.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
@@ -24,12 +22,12 @@ GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& 
         throw std::runtime_error("The scene has more vertices, indices, draws or materials than the device's texture "
                                  "buffers hold.");
     glsl_ = fetchGlsl(fetch, true);
-    sampler_ = makeSampler(gl, Wrap::Repeat, Wrap::Repeat);
+    sampler_ = makeSampler(gl, {});
     camera_ = createBuffer(gl);
     draws_ = createBuffer(gl);
     materials_ = createBuffer(gl);
     vertices_ = createBuffer(gl);
-    gl.NamedBufferData(camera_.get(), sizeof(glm::mat4), nullptr, GL_DYNAMIC_DRAW);
+    gl.NamedBufferData(camera_.get(), sizeof(FetchCamera), nullptr, GL_DYNAMIC_DRAW);
     gl.NamedBufferData(draws_.get(), GLsizeiptr(fetch.maxDraws * sizeof(FetchDraw)), nullptr, GL_DYNAMIC_DRAW);
     gl.NamedBufferData(materials_.get(), GLsizeiptr(fetch.materials.size() * sizeof(FetchMaterial)),
                        fetch.materials.data(), GL_STATIC_DRAW);
@@ -69,10 +67,10 @@ Texture GpuFetch::texels(GLuint buffer, GLenum format) const {
     return texture;
 }
 
-void GpuFetch::update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection) {
+void GpuFetch::update(const Scene& scene, const std::vector<Draw>& draws, const FetchCamera& camera) {
     const std::vector<FetchDraw> rows = fetchDraws(scene, draws);
     gl_->NamedBufferSubData(draws_.get(), 0, GLsizeiptr(rows.size() * sizeof(FetchDraw)), rows.data());
-    gl_->NamedBufferSubData(camera_.get(), 0, sizeof viewProjection, glm::value_ptr(viewProjection));
+    gl_->NamedBufferSubData(camera_.get(), 0, sizeof camera, &camera);
 }
 
 void GpuFetch::bind() const {

@@ -14,7 +14,7 @@ public:
     GpuFetch& operator=(const GpuFetch&) = delete;
 
     const AgaaFetchFunction& function() const { return function_; }
-    void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
+    void update(const Scene& scene, const std::vector<Draw>& draws, const FetchCamera& camera);
     // Must be called before each frame.
     void bind() const;
 

@@ -22,6 +22,19 @@ GLint wrapMode(Wrap wrap) {
     return GL_REPEAT;
 }
 
+GLint minFilter(const TextureFilters& filters) {
+    const bool isNearest = filters.minify == Filter::Nearest;
+    switch (filters.mips) {
+    case MipFilter::None:
+        return isNearest ? GL_NEAREST : GL_LINEAR;
+    case MipFilter::Nearest:
+        return isNearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_NEAREST;
+    case MipFilter::Linear:
+        break;
+    }
+    return isNearest ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR;
+}
+
 // llvmpipe walks the whole footprint of the pixel, which takes minutes if a primitive's gradients are steep. lavapipe
 // accepts the setting, but filters without it.
 bool hasUsableAnisotropy(const GladGLContext& gl) {
@@ -100,13 +113,14 @@ void GpuScene::uploadTextures(const Scene& scene) {
     textures_.push_back(makeTexture({{1, 1, {255, 255, 255, 255}}}, false));
 }
 
-Sampler makeSampler(const GladGLContext& gl, Wrap u, Wrap v) {
+Sampler makeSampler(const GladGLContext& gl, const Sampling& sampling) {
     Sampler sampler = createSampler(gl);
-    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_S, wrapMode(u));
-    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_T, wrapMode(v));
-    if (hasUsableAnisotropy(gl)) {
+    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_MIN_FILTER, minFilter(sampling.filters));
+    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_MAG_FILTER,
+                         sampling.filters.magnify == Filter::Nearest ? GL_NEAREST : GL_LINEAR);
+    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_S, wrapMode(sampling.wrapU));
+    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_T, wrapMode(sampling.wrapV));
+    if (sampling.filters == TextureFilters{} && hasUsableAnisotropy(gl)) {
         GLfloat most = 1;
         gl.GetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
         gl.SamplerParameterf(sampler.get(), GL_TEXTURE_MAX_ANISOTROPY, std::min(8.0f, most));
@@ -114,10 +128,10 @@ Sampler makeSampler(const GladGLContext& gl, Wrap u, Wrap v) {
     return sampler;
 }
 
-GLuint GpuScene::sampler(Wrap u, Wrap v) {
-    Sampler& sampler = samplers_[{u, v}];
+GLuint GpuScene::sampler(const Sampling& sampling) {
+    Sampler& sampler = samplers_[sampling];
     if (!sampler)
-        sampler = makeSampler(*gl_, u, v);
+        sampler = makeSampler(*gl_, sampling);
     return sampler.get();
 }
 
@@ -135,8 +149,7 @@ void GpuScene::uploadMaterials(const Scene& scene) {
             const bool has = maps[i] >= 0;
             const size_t texture = has ? size_t(maps[i]) : scene.textures.size();
             bindings.textures[i] = textures_[texture].get();
-            bindings.samplers[i] = has ? sampler(scene.textures[texture].wrapU, scene.textures[texture].wrapV)
-                                       : sampler(Wrap::Repeat, Wrap::Repeat);
+            bindings.samplers[i] = sampler(has ? scene.textures[texture].sampling() : Sampling{});
         }
         materials_.push_back(bindings);
         const MaterialConstants values = materialConstants(materials[m]);

@@ -12,8 +12,8 @@ namespace harness::gl {
 // Bindings in addition to the material's bindings 0 to 4.
 constexpr GLuint cameraBinding = 1; // uniform buffer
 
-// Sets the filter of all textures of the engine.
-Sampler makeSampler(const GladGLContext& gl, Wrap u, Wrap v);
+// Filters are anisotropic unless a texture sets its own.
+Sampler makeSampler(const GladGLContext& gl, const Sampling& sampling);
 
 class GpuScene {
 public:
@@ -32,7 +32,7 @@ private:
     void uploadTextures(const Scene& scene);
     void uploadMaterials(const Scene& scene);
     Texture makeTexture(const std::vector<MipLevel>& levels, bool srgb) const;
-    GLuint sampler(Wrap u, Wrap v);
+    GLuint sampler(const Sampling& sampling);
 
     struct MaterialBindings {
         std::array<GLuint, materialTextureCount> textures{};
@@ -46,7 +46,7 @@ private:
     Buffer constants_;
     GLsizeiptr stride_ = 0;         // bytes per material in constants_
     std::vector<Texture> textures_; // Scene::textures, then a white texture
-    std::map<std::pair<Wrap, Wrap>, Sampler> samplers_;
+    std::map<Sampling, Sampler> samplers_;
     std::vector<MaterialBindings> materials_; // Scene::materials, then the default material
 };
 

@@ -36,6 +36,46 @@ glm::dmat4 rotationToView(const glm::dvec3& forward, const glm::dvec3& up) {
     return view;
 }
 
+// Clip space moves by 2 jitter / size.
+glm::dvec2 clipJitter(const RenderSettings& settings, ClipY clipY) {
+    const double yDown = clipY == ClipY::Down ? 1 : -1;
+    return {2 * settings.jitter.x / settings.width, 2 * settings.jitter.y / settings.height * yDown};
+}
+
+void projectPerspective(CameraMatrices& m, const RenderSettings& settings, ClipY clipY) {
+    const double focal = 1.0 / std::tan(glm::radians(settings.camera.fovDegrees) / 2);
+    const double aspect = double(settings.width) / settings.height;
+    const glm::dvec2 jitter = clipJitter(settings, clipY);
+    glm::dmat4& p = m.projection;
+    p = glm::dmat4(0);
+    p[0][0] = focal / aspect;
+    p[1][1] = clipY == ClipY::Down ? -focal : focal;
+    p[2][3] = -1;
+    p[2][0] = -jitter.x; // w is -z
+    p[2][1] = -jitter.y;
+    if (settings.reversedZ) {
+        p[3][2] = m.nearPlane;
+    } else {
+        p[2][2] = m.farPlane / (m.nearPlane - m.farPlane);
+        p[3][2] = m.nearPlane * m.farPlane / (m.nearPlane - m.farPlane);
+    }
+}
+
+void projectOrthographic(CameraMatrices& m, const RenderSettings& settings, ClipY clipY) {
+    const double scale = 2 / settings.camera.height;
+    const double aspect = double(settings.width) / settings.height;
+    const glm::dvec2 jitter = clipJitter(settings, clipY);
+    m.viewer = glm::dvec4(-m.forward, 0);
+    m.nearPlane = 0;
+    m.targetDistance = std::max(m.targetDistance, settings.camera.height); // for shadows; the eye is arbitrary
+    glm::dmat4& p = m.projection;
+    p = glm::dmat4(1);
+    p[0][0] = scale / aspect;
+    p[1][1] = clipY == ClipY::Down ? -scale : scale;
+    p[2][2] = (settings.reversedZ ? 1 : -1) / m.farPlane;
+    p[3] = {jitter, settings.reversedZ ? 1 : 0, 1};
+}
+
 } // namespace
 
 CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings, ClipY clipY) {
@@ -45,7 +85,8 @@ CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings
     m.targetDistance = glm::length(gaze);
     if (!(m.targetDistance > 0) || !std::isfinite(m.targetDistance))
         throw std::runtime_error("The camera's eye and target are the same point or not finite.");
-    if (!(camera.fovDegrees > 0) || !(camera.fovDegrees < 180))
+    const bool isOrthographic = camera.height > 0;
+    if (!isOrthographic && (!(camera.fovDegrees > 0) || !(camera.fovDegrees < 180)))
         throw std::runtime_error("The camera's field of view must be between 0 and 180 degrees.");
 
     m.eye = camera.eye + settings.worldOffset;
@@ -58,23 +99,10 @@ CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings
     m.nearPlane = std::max(0.001 * m.targetDistance, 1e-6 * reach);
     m.farPlane = 1.01 * reach + m.nearPlane;
 
-    const double focal = 1.0 / std::tan(glm::radians(camera.fovDegrees) / 2);
-    const double aspect = double(settings.width) / settings.height;
-    glm::dmat4& p = m.projection;
-    p = glm::dmat4(0);
-    p[0][0] = focal / aspect;
-    p[1][1] = clipY == ClipY::Down ? -focal : focal;
-    p[2][3] = -1;
-    // Clip space moves by 2 jitter / size; w is -z.
-    const double yDown = clipY == ClipY::Down ? 1 : -1;
-    p[2][0] = -2 * settings.jitter.x / settings.width;
-    p[2][1] = -2 * settings.jitter.y / settings.height * yDown;
-    if (settings.reversedZ) {
-        p[3][2] = m.nearPlane;
-    } else {
-        p[2][2] = m.farPlane / (m.nearPlane - m.farPlane);
-        p[3][2] = m.nearPlane * m.farPlane / (m.nearPlane - m.farPlane);
-    }
+    if (isOrthographic)
+        projectOrthographic(m, settings, clipY);
+    else
+        projectPerspective(m, settings, clipY);
     m.viewProjection = m.projection * m.view;
     return m;
 }

@@ -14,11 +14,12 @@ struct CameraMatrices {
     glm::dvec3 eye{0}; // position in world space, with the settings' offset
     glm::dvec3 forward{0, 0, -1};
     double targetDistance = 1;
-    double nearPlane = 0;
+    double nearPlane = 0;     // 0 in an orthographic view
     double farPlane = 0;      // far plane of the standard depth range; the reversed range has none
     glm::dmat4 view{1};       // shading space to view space: a rotation
     glm::dmat4 projection{1}; // view space to clip space, with jitter
     glm::dmat4 viewProjection{1};
+    glm::dvec4 viewer{0, 0, 0, 1}; // homogeneous position in shading space; w is 0 in an orthographic view
 };
 
 CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings, ClipY clipY);

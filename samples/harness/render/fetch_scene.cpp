@@ -11,9 +11,13 @@ namespace {
 // Kinds of textures of a material: base colour, normal, metallic-roughness, emissive.
 bool isColor(size_t i) { return i == 0 || i == 3; }
 
-uint32_t wrapCode(const Texture& texture, const TextureLayer& at) {
-    const auto code = [](Wrap wrap) { return wrap == Wrap::Repeat ? 0u : wrap == Wrap::Mirror ? 1u : 2u; };
-    return code(texture.wrapU) | code(texture.wrapV) << 2 | at.repeatsU << 4 | at.repeatsV << 8;
+uint32_t samplerCode(const Texture& texture, const TextureLayer& at) {
+    const auto wrap = [](Wrap w) { return w == Wrap::Repeat ? 0u : w == Wrap::Mirror ? 1u : 2u; };
+    const uint32_t code = wrap(texture.wrapU) | wrap(texture.wrapV) << 2 | at.repeatsU << 4 | at.repeatsV << 8;
+    const TextureFilters& f = texture.filters;
+    const uint32_t mips = f.mips == MipFilter::Linear ? 0u : f.mips == MipFilter::Nearest ? 1u : 2u;
+    return code | uint32_t(f.magnify == Filter::Nearest) << 12 | uint32_t(f.minify == Filter::Nearest) << 13 |
+           mips << 14;
 }
 
 } // namespace
@@ -38,7 +42,7 @@ FetchScene makeFetchScene(const Scene& scene) {
         for (size_t i = 0; i < textures.size(); ++i) {
             const TextureLayer at = (isColor(i) ? fetch.colors : fetch.values).layerOf(textures[i]);
             made.layers[int(i)] = at.layer;
-            made.wraps[int(i)] = textures[i] >= 0 ? wrapCode(scene.textures[size_t(textures[i])], at) : 0;
+            made.samplers[int(i)] = textures[i] >= 0 ? samplerCode(scene.textures[size_t(textures[i])], at) : 0;
         }
         fetch.materials.push_back(made);
     }

@@ -9,6 +9,13 @@
 
 namespace harness {
 
+// Matches the block FetchCamera of fetch.glsl (std140).
+struct FetchCamera {
+    glm::mat4 viewProjection;
+    glm::vec4 viewer; // CameraMatrices::viewer
+};
+static_assert(sizeof(FetchCamera) == 80);
+
 struct FetchDraw {
     std::array<glm::vec4, 3> toShading;
     std::array<glm::vec4, 3> normalToShading;
@@ -19,12 +26,13 @@ struct FetchDraw {
 };
 static_assert(sizeof(FetchDraw) == 112);
 
-// Each element of wraps describes a texture: 2 bits for u and 2 bits for v (0 repeat, 1 mirror, 2 clamp), then 4 bits
-// each for TextureLayer::repeatsU and repeatsV.
+// Each element of samplers describes a texture, from the lowest bit: 2 bits for u and 2 for v (0 repeat, 1 mirror, 2
+// clamp), 4 bits each for TextureLayer::repeatsU and repeatsV, 1 bit each for magnification and minification (1
+// nearest), and 2 bits for mip levels (0 linear, 1 nearest, 2 none).
 struct FetchMaterial {
     MaterialConstants values;
     glm::ivec4 layers;
-    glm::uvec4 wraps;
+    glm::uvec4 samplers;
 };
 static_assert(sizeof(FetchMaterial) == 80);
 

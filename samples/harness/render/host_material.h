@@ -39,10 +39,11 @@ void checkTextureSizes(const Scene& scene, uint32_t most);
 // Matches the block Camera of object.glsl and material.frag (std140).
 struct CameraConstants {
     glm::mat4 viewProjection;
+    glm::vec4 viewer; // CameraMatrices::viewer
     float footprint;
     float padding[3] = {};
 };
-static_assert(sizeof(CameraConstants) == 80);
+static_assert(sizeof(CameraConstants) == 96);
 
 // Matches the block Draw of object.glsl.
 struct DrawConstants {

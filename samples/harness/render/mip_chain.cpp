@@ -218,6 +218,14 @@ glm::vec4 interpolated(const FloatLevel& level, const Texture& source, double x,
 FloatLevel resized(const FloatLevel& level, const Texture& source, uint32_t width, uint32_t height) {
     FloatLevel out{width, height, {}};
     out.texels.reserve(size_t(width) * height);
+    const Filter filter = width > level.width || height > level.height ? source.filters.magnify : source.filters.minify;
+    if (filter == Filter::Nearest) {
+        for (uint64_t y = 0; y < height; ++y)
+            for (uint64_t x = 0; x < width; ++x)
+                out.texels.push_back(level.texels[size_t((2 * y + 1) * level.height / (2 * height) * level.width +
+                                                         (2 * x + 1) * level.width / (2 * width))]);
+        return out;
+    }
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x)
             out.texels.push_back(interpolated(level, source, (x + 0.5) * level.width / width - 0.5,
@@ -239,7 +247,8 @@ std::vector<MipLevel> resizeMipChain(const std::vector<MipLevel>& levels, const 
         if (level.width == width && level.height == height) {
             out.push_back(level);
         } else {
-            const Texture texture{"", level.width, level.height, source.srgb, source.wrapU, source.wrapV, level.rgba};
+            const Texture texture{"",           level.width,  level.height, source.srgb,
+                                  source.wrapU, source.wrapV, level.rgba,   source.filters};
             out.push_back(encode(resized(decode(texture), source, width, height), source.srgb, {}, 1));
         }
         if (width == 1 && height == 1)

@@ -49,14 +49,6 @@ Split bestSplit(const Scene& scene, const std::set<int>& used) {
 
 uint32_t levelSide(uint32_t side, size_t level) { return std::max(side >> level, 1u); }
 
-// Returns the size of the texture that is repeated in a layer of size `layer`. A texture that does not wrap around
-// fills the layer, because coarse levels of a repeated texture would mix opposite edges.
-Size repeatedSize(const Texture& texture, Size layer) {
-    const Size own = layerSize(texture);
-    return {texture.wrapU == Wrap::Repeat ? own.width : layer.width,
-            texture.wrapV == Wrap::Repeat ? own.height : layer.height};
-}
-
 // Returns a layer of `size` in which each level repeats the level of the texture.
 std::vector<MipLevel> repeated(const std::vector<MipLevel>& levels, Size size) {
     std::vector<MipLevel> out;
@@ -80,7 +72,7 @@ TextureLayers makeLayers(const Scene& scene, const std::vector<int>& textures, S
     TextureLayers layers;
     for (const int texture : textures) {
         const Texture& source = scene.textures[size_t(texture)];
-        const Size own = repeatedSize(source, size);
+        const Size own = layerSize(source);
         layers.push_back(repeated(
             resizeMipChain(makeMipChain(source, options[size_t(texture)]), source, own.width, own.height), size));
     }
@@ -99,7 +91,7 @@ TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used, c
                          {}};
     const auto place = [&](const std::vector<int>& textures, Size size, int firstLayer) {
         for (size_t i = 0; i < textures.size(); ++i) {
-            const Size own = repeatedSize(scene.textures[size_t(textures[i])], size);
+            const Size own = layerSize(scene.textures[size_t(textures[i])]);
             arrays.layers[textures[i]] = {firstLayer + int(i), uint32_t(std::countr_zero(size.width / own.width)),
                                           uint32_t(std::countr_zero(size.height / own.height))};
         }

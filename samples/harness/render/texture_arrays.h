@@ -1,6 +1,6 @@
 // Textures of one colour space as layers of arrays. There is one array, or two by size if that saves a quarter of the
 // memory. A texture that is smaller than its layer is repeated in it, so that each level filters like the level of the
-// single texture. In a direction in which it does not wrap around, it is resized.
+// single texture.
 #pragma once
 
 #include "render/mip_chain.h"

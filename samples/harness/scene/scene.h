@@ -68,6 +68,14 @@ struct TextureFilters {
     auto operator<=>(const TextureFilters&) const = default;
 };
 
+struct Sampling {
+    Wrap wrapU = Wrap::Repeat;
+    Wrap wrapV = Wrap::Repeat;
+    TextureFilters filters = {};
+
+    auto operator<=>(const Sampling&) const = default;
+};
+
 // RGBA8, rows from top to bottom, no mip levels (the renderer makes them).
 struct Texture {
     std::string name;
@@ -78,6 +86,8 @@ struct Texture {
     Wrap wrapV = Wrap::Repeat;
     std::vector<uint8_t> rgba;
     TextureFilters filters = {};
+
+    Sampling sampling() const { return {wrapU, wrapV, filters}; }
 };
 
 enum class LightType { Directional, Point, Spot };

@@ -53,7 +53,7 @@ void setMaterial(inout AgaaSurfaceInput surface) {
     vec2 uv = weighedUv(there.at);
     vec2 dx = weighedUv(there.dx) * camera.footprint, dy = weighedUv(there.dy) * camera.footprint;
     SurfacePoint p;
-    p.position = weighed(there.at, cornerPosition).xyz;
+    p.toViewer = viewerDirection(camera.viewer, weighed(there.at, cornerPosition).xyz);
     p.normal = weighed(there.at, cornerNormal).xyz;
     p.tangent = weighed(there.at, cornerTangent);
     p.color = weighed(there.at, cornerColor).rgb;

@@ -4,7 +4,7 @@
 // metallic-roughness, 3 emissive. FETCH_LARGE and FETCH_SMALL have a bit for each kind that occurs among the large or
 // small textures.
 
-layout(std140, FETCH_UNIFORM_AT) uniform FetchCamera { mat4 viewProjection; } fetchCamera;
+layout(std140, FETCH_UNIFORM_AT) uniform FetchCamera { mat4 viewProjection; vec4 viewer; } fetchCamera;
 layout(FETCH_TEXTURE_AT(0)) uniform sampler2DArray fetchColors; // sRGB
 layout(FETCH_TEXTURE_AT(1)) uniform sampler2DArray fetchValues;
 layout(FETCH_TEXTURE_AT(2)) uniform usamplerBuffer fetchDraws;     // FetchDraw of the engine
@@ -68,33 +68,81 @@ void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, ino
     c = fetchClip(d, fetchVertex(d, primitive, 2u));
 }
 
-float fetchWrapped(float x, uint wrap, float halfTexel) {
-    return wrap == 0u ? x : wrap == 1u ? 1.0 - abs(mod(x, 2.0) - 1.0) : clamp(x, halfTexel, 1.0 - halfTexel);
+// FetchMaterial::samplers packs how a texture is sampled.
+const uint fetchOwnSampling = 0xF00Fu; // bits of wrap modes and filters other than those of the arrays' sampler
+
+// Wraps a texture coordinate to [0, 1].
+float fetchWrapped(float x, uint wrap) {
+    return wrap == 0u ? fract(x) : wrap == 1u ? 1.0 - abs(mod(x, 2.0) - 1.0) : clamp(x, 0.0, 1.0);
 }
 
-vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
+// Returns the texel i of a row of `size` texels, a power of two, or its neighbour across the edge.
+int fetchNeighbour(int i, int size, uint wrap) { return wrap == 0u ? i & size - 1 : clamp(i, 0, size - 1); }
+
+// Reads one level between the edges of the texture. The arrays' sampler repeats, so it would mix in texels of the
+// opposite edge, the more the coarser the level is.
+vec4 fetchLevel(sampler2DArray textures, int layer, uint code, vec2 uv, vec2 share, int level, bool isNearest) {
+    // The size of a level is computed: llvmpipe (Mesa 22.3) returns that of the first invocation's level to all.
+    ivec2 size = max(ivec2(vec2(textureSize(textures, 0).xy) * share) >> level, 1);
+    vec2 place = uv * vec2(size) - (isNearest ? 0.0 : 0.5);
+    ivec2 first = ivec2(floor(place));
+    vec4 texels[4];
+    for (int i = 0; i < 4; ++i) {
+        ivec2 at = first + ivec2(i & 1, i >> 1);
+        at = ivec2(fetchNeighbour(at.x, size.x, code & 3u), fetchNeighbour(at.y, size.y, code >> 2u & 3u));
+        texels[i] = texelFetch(textures, ivec3(at, layer), level);
+        if (isNearest)
+            return texels[0];
+    }
+    vec2 weight = place - vec2(first);
+    return mix(mix(texels[0], texels[1], weight.x), mix(texels[2], texels[3], weight.x), weight.y);
+}
+
+// Filters as a sampler of the texture would, but without anisotropy.
+vec4 fetchLevels(sampler2DArray textures, int layer, uint code, vec2 uv, vec2 share, float lod) {
+    bool isNearest = (code & (lod <= 0.0 ? 0x1000u : 0x2000u)) != 0u;
+    uint mips = code >> 14u & 3u; // 0 linear, 1 nearest, 2 none
+    lod = mips == 2u ? 0.0 : clamp(lod, 0.0, float(textureQueryLevels(textures) - 1));
+    lod = mips == 1u ? floor(lod + 0.5) : lod;
+    vec4 finer = fetchLevel(textures, layer, code, uv, share, int(lod), isNearest);
+    if (fract(lod) == 0.0)
+        return finer;
+    return mix(finer, fetchLevel(textures, layer, code, uv, share, int(lod) + 1, isNearest), fract(lod));
+}
+
+vec4 fetchTexel(sampler2DArray textures, int layer, uint code, vec2 uv, vec2 dx, vec2 dy) {
     if (layer < 0)
         return vec4(1.0);
-    vec2 share = exp2(-vec2(wrap >> 4u & 15u, wrap >> 8u & 15u)); // size of one repetition in the layer
-    vec2 halfTexel = 0.5 / (vec2(textureSize(textures, 0).xy) * share);
-    uv = vec2(fetchWrapped(uv.x, wrap & 3u, halfTexel.x), fetchWrapped(uv.y, wrap >> 2u & 3u, halfTexel.y));
-    return textureGrad(textures, vec3(uv * share, float(layer)), dx * share, dy * share);
+    vec2 share = exp2(-vec2(code >> 4u & 15u, code >> 8u & 15u)); // size of one repetition in the layer
+    if ((code & fetchOwnSampling) == 0u)
+        return textureGrad(textures, vec3(uv * share, float(layer)), dx * share, dy * share);
+    uv = vec2(fetchWrapped(uv.x, code & 3u), fetchWrapped(uv.y, code >> 2u & 3u));
+    vec2 size = vec2(textureSize(textures, 0).xy) * share;
+    float footprint = max(max(length(dx * size), length(dy * size)), 1e-6); // texels of level 0
+    // Away from the edges, hardware filters as well. The coarser of two levels reaches `footprint` texels of level 0.
+    vec2 reach = abs(dx) + abs(dy) + max(footprint, 1.0) / size;
+    bvec2 reachesEdge = greaterThan(abs(uv - 0.5) + reach, vec2(0.5));
+    bvec2 hasEdge = notEqual(uvec2(code, code >> 2u) & 3u, uvec2(0u));
+    bool isInside = !(hasEdge.x && reachesEdge.x) && !(hasEdge.y && reachesEdge.y);
+    if (isInside && (code & 0xF000u) == 0u)
+        return textureGrad(textures, vec3(uv * share, float(layer)), dx * share, dy * share);
+    return fetchLevels(textures, layer, code, uv, share, log2(footprint));
 }
 
-vec4 fetchColor(int kind, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
+vec4 fetchColor(int kind, int layer, uint code, vec2 uv, vec2 dx, vec2 dy) {
 #if (FETCH_SMALL & 9) != 0
     if ((FETCH_SMALL >> kind & 1) != 0 && layer >= FETCH_FIRST_SMALL)
-        return fetchTexel(fetchSmallColors, layer - FETCH_FIRST_SMALL, wrap, uv, dx, dy);
+        return fetchTexel(fetchSmallColors, layer - FETCH_FIRST_SMALL, code, uv, dx, dy);
 #endif
-    return (FETCH_LARGE >> kind & 1) != 0 ? fetchTexel(fetchColors, layer, wrap, uv, dx, dy) : vec4(1.0);
+    return (FETCH_LARGE >> kind & 1) != 0 ? fetchTexel(fetchColors, layer, code, uv, dx, dy) : vec4(1.0);
 }
 
-vec4 fetchValue(int kind, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
+vec4 fetchValue(int kind, int layer, uint code, vec2 uv, vec2 dx, vec2 dy) {
 #if (FETCH_SMALL & 6) != 0
     if ((FETCH_SMALL >> kind & 1) != 0 && layer >= FETCH_FIRST_SMALL)
-        return fetchTexel(fetchSmallValues, layer - FETCH_FIRST_SMALL, wrap, uv, dx, dy);
+        return fetchTexel(fetchSmallValues, layer - FETCH_FIRST_SMALL, code, uv, dx, dy);
 #endif
-    return (FETCH_LARGE >> kind & 1) != 0 ? fetchTexel(fetchValues, layer, wrap, uv, dx, dy) : vec4(1.0);
+    return (FETCH_LARGE >> kind & 1) != 0 ? fetchTexel(fetchValues, layer, code, uv, dx, dy) : vec4(1.0);
 }
 
 void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
@@ -124,7 +172,7 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
         dx += primitive.dx[corner] * own;
         dy += primitive.dy[corner] * own;
     }
-    p.position = fetchTransform(draw, position);
+    p.toViewer = viewerDirection(fetchCamera.viewer, fetchTransform(draw, position));
     p.normal = fetchRotate(draw, 3, p.normal);
     p.tangent = vec4(fetchRotate(draw, 0, p.tangent.xyz), p.tangent.w * draw.handedness);
     p.isFront = primitive.facing * draw.handedness < 0.0; // counter-clockwise where y points up
@@ -133,14 +181,14 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     vec4 emissive = uintBitsToFloat(texelFetch(fetchMaterials, m + 1));
     vec4 numbers = uintBitsToFloat(texelFetch(fetchMaterials, m + 2));
     ivec4 layers = ivec4(texelFetch(fetchMaterials, m + 3)); // base, normal, metallic-roughness, emissive
-    uvec4 wraps = texelFetch(fetchMaterials, m + 4);
+    uvec4 samplers = texelFetch(fetchMaterials, m + 4);
     MaterialValues values = MaterialValues(uintBitsToFloat(texelFetch(fetchMaterials, m)), emissive.xyz, emissive.w,
                                            numbers.x, numbers.y, numbers.z);
     p.isBent = ((FETCH_LARGE | FETCH_SMALL) & 2) != 0 && layers.y >= 0;
-    p.baseTexel = fetchColor(0, layers.x, wraps.x, uv, dx, dy);
-    p.normalTexel = fetchValue(1, layers.y, wraps.y, uv, dx, dy);
-    p.metalRoughTexel = fetchValue(2, layers.z, wraps.z, uv, dx, dy);
-    p.emissiveTexel = fetchColor(3, layers.w, wraps.w, uv, dx, dy);
+    p.baseTexel = fetchColor(0, layers.x, samplers.x, uv, dx, dy);
+    p.normalTexel = fetchValue(1, layers.y, samplers.y, uv, dx, dy);
+    p.metalRoughTexel = fetchValue(2, layers.z, samplers.z, uv, dx, dy);
+    p.emissiveTexel = fetchColor(3, layers.w, samplers.w, uv, dx, dy);
     SurfaceModel model = surfaceModel(values, p);
     result.diffuse = model.diffuse;
     result.specular = model.specular;

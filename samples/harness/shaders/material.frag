@@ -40,7 +40,7 @@ SurfacePoint pointInside(vec3 position, float scale, vec2 dx, vec2 dy) {
     // Values at the pixel's centre extrapolate if the primitive is thinner than a pixel.
     vec2 uv = AGAA_INSIDE(insideUv) * scale;
     SurfacePoint p;
-    p.position = position;
+    p.toViewer = viewerDirection(camera.viewer, position);
     p.normal = AGAA_INSIDE(insideNormal);
     p.tangent = AGAA_INSIDE(insideTangent);
     p.color = AGAA_INSIDE(insideColor) * scale;

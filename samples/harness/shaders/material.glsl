@@ -11,7 +11,7 @@ struct MaterialValues {
 };
 
 struct SurfacePoint {
-    vec3 position; // shading space
+    vec3 toViewer; // unit vector in shading space
     vec3 normal;   // vertex normal of any length
     vec4 tangent;  // w: handedness
     vec3 color;    // vertex colour
@@ -31,6 +31,9 @@ struct SurfaceModel {
     float alpha2;
 };
 
+// viewer is a homogeneous position, at infinity in an orthographic view.
+vec3 viewerDirection(vec4 viewer, vec3 position) { return normalize(viewer.xyz - viewer.w * position); }
+
 // Returns the vertex normal n, bent by the normal map.
 vec3 mappedNormal(vec3 n, vec4 tangent, vec3 m) {
     vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
@@ -45,9 +48,8 @@ vec3 mappedNormal(vec3 n, vec4 tangent, vec3 m) {
 }
 
 vec3 shadingNormal(SurfacePoint p, float normalScale) {
-    vec3 toViewer = normalize(-p.position);
     float squared = dot(p.normal, p.normal);
-    vec3 n = squared > 0.0 ? p.normal * inversesqrt(squared) : toViewer;
+    vec3 n = squared > 0.0 ? p.normal * inversesqrt(squared) : p.toViewer;
     if (p.isBent) {
         vec3 m = p.normalTexel.xyz * 2.0 - 1.0;
         m.xy *= normalScale;
@@ -56,8 +58,8 @@ vec3 shadingNormal(SurfacePoint p, float normalScale) {
     if (!p.isFront)
         n = -n; // glTF's rule for the back of double-sided materials
     // Interpolation and normal maps may turn the normal away from the viewer. It is bent onto the horizon.
-    float facing = dot(n, toViewer);
-    return facing < 0.0 ? normalize(n - toViewer * (facing - 1e-3)) : n;
+    float facing = dot(n, p.toViewer);
+    return facing < 0.0 ? normalize(n - p.toViewer * (facing - 1e-3)) : n;
 }
 
 // Converts a change of the vertex normal to a change of the unit normal. A normal map turns with it.

@@ -1,7 +1,7 @@
 // Positions of vertices, which all vertex shaders of the draw passes compute identically. interface.glsl comes before
 // this text.
 
-layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; float footprint; } camera;
+layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; vec4 viewer; float footprint; } camera;
 
 DRAW_BLOCK Draw {
     vec4 toShading[3];       // rows of object to shading space

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
-#include <glm/gtc/type_ptr.hpp>
 
 namespace harness::vk {
 
@@ -32,7 +31,7 @@ GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpu
     textures_[1] = uploader.textureArray(arena_, fetch.values.large, false);
     textures_[2] = uploader.textureArray(arena_, fetch.colors.small, true);
     textures_[3] = uploader.textureArray(arena_, fetch.values.small, false);
-    camera_ = arena_.hostBuffer(sizeof(glm::mat4), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    camera_ = arena_.hostBuffer(sizeof(FetchCamera), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     constexpr VkBufferUsageFlags texelBuffer = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     const auto materials = std::as_bytes(std::span(fetch.materials));
     const auto vertices = std::as_bytes(std::span(fetch.vertices));
@@ -46,15 +45,7 @@ GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpu
     vertexTexels_ = texels(vertices_.buffer.get(), vertices.size(), VK_FORMAT_R32G32B32A32_UINT);
     indexTexels_ = texels(gpuScene.indices().buffer.get(), std::max(scene.indices.size(), size_t(1)) * sizeof(uint32_t),
                           VK_FORMAT_R32_UINT);
-    VkSamplerCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-    info.magFilter = info.minFilter = VK_FILTER_LINEAR;
-    info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
-    info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
-    info.anisotropyEnable = device.hasAnisotropy();
-    info.maxAnisotropy = std::min(8.0f, device.limits().maxSamplerAnisotropy);
-    info.maxLod = VK_LOD_CLAMP_NONE;
-    sampler_ = make<Sampler>(device.get(), vkCreateSampler, info, "create a sampler");
+    sampler_ = makeSampler(device, {});
     createSet();
     function_.glsl = glsl_.c_str();
     function_.maxDraws = fetch.maxDraws;
@@ -115,10 +106,10 @@ void GpuFetch::createSet() {
     vkUpdateDescriptorSets(device_->get(), BindingCount, writes.data(), 0, nullptr);
 }
 
-void GpuFetch::update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection) {
+void GpuFetch::update(const Scene& scene, const std::vector<Draw>& draws, const FetchCamera& camera) {
     const std::vector<FetchDraw> rows = fetchDraws(scene, draws);
     std::memcpy(draws_.mapped, rows.data(), rows.size() * sizeof(FetchDraw));
-    std::memcpy(camera_.mapped, glm::value_ptr(viewProjection), sizeof viewProjection);
+    std::memcpy(camera_.mapped, &camera, sizeof camera);
 }
 
 } // namespace harness::vk

@@ -16,7 +16,7 @@ public:
     const AgaaFetchFunction& function() const { return function_; }
     VkDescriptorSet set() const { return set_.get(); }
     // Sets the data of the next frame. The previous frame must have finished.
-    void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
+    void update(const Scene& scene, const std::vector<Draw>& draws, const FetchCamera& camera);
 
 private:
     BufferView texels(VkBuffer buffer, VkDeviceSize size, VkFormat format) const;

@@ -20,7 +20,28 @@ VkSamplerAddressMode addressMode(Wrap wrap) {
     return VK_SAMPLER_ADDRESS_MODE_REPEAT;
 }
 
+VkFilter filterOf(Filter filter) { return filter == Filter::Nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR; }
+
 } // namespace
+
+Sampler makeSampler(const Device& device, const Sampling& sampling) {
+    const TextureFilters& filters = sampling.filters;
+    VkSamplerCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+    info.magFilter = filterOf(filters.magnify);
+    info.minFilter = filterOf(filters.minify);
+    info.mipmapMode =
+        filters.mips == MipFilter::Linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+    info.addressModeU = addressMode(sampling.wrapU);
+    info.addressModeV = addressMode(sampling.wrapV);
+    info.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    info.anisotropyEnable = filters == TextureFilters{} && device.hasAnisotropy();
+    info.maxAnisotropy = std::min(8.0f, device.limits().maxSamplerAnisotropy);
+    // Vulkan has no sampler without mip levels. Below 0.5, level 0 is read, and minification still differs from
+    // magnification.
+    info.maxLod = filters.mips == MipFilter::None ? 0.25f : VK_LOD_CLAMP_NONE;
+    return make<Sampler>(device.get(), vkCreateSampler, info, "create a sampler");
+}
 
 GpuScene::GpuScene(const Device& device, const Scene& scene) : device_(&device), arena_(device) {
     Uploader uploader(device);
@@ -50,29 +71,17 @@ void GpuScene::uploadTextures(Uploader& uploader, const Scene& scene) {
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         const Texture& texture = scene.textures[i];
         textures_.push_back(uploader.texture(arena_, makeMipChain(texture, options[i]), texture.srgb));
-        textureWraps_.emplace_back(texture.wrapU, texture.wrapV);
+        samplings_.push_back(texture.sampling());
     }
     // This texture is bound if a material has no texture, because a driver may read every binding of a bound set.
     textures_.push_back(uploader.texture(arena_, {{1, 1, {255, 255, 255, 255}}}, false));
-    textureWraps_.emplace_back(Wrap::Repeat, Wrap::Repeat);
+    samplings_.emplace_back();
 }
 
-VkSampler GpuScene::sampler(Wrap u, Wrap v) {
-    Sampler& sampler = samplers_[{u, v}];
-    if (!sampler) {
-        VkSamplerCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-        info.magFilter = VK_FILTER_LINEAR;
-        info.minFilter = VK_FILTER_LINEAR;
-        info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
-        info.addressModeU = addressMode(u);
-        info.addressModeV = addressMode(v);
-        info.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
-        info.anisotropyEnable = device_->hasAnisotropy();
-        info.maxAnisotropy = std::min(8.0f, device_->limits().maxSamplerAnisotropy);
-        info.maxLod = VK_LOD_CLAMP_NONE;
-        sampler = make<Sampler>(device_->get(), vkCreateSampler, info, "create a sampler");
-    }
+VkSampler GpuScene::sampler(const Sampling& sampling) {
+    Sampler& sampler = samplers_[sampling];
+    if (!sampler)
+        sampler = makeSampler(*device_, sampling);
     return sampler.get();
 }
 
@@ -122,8 +131,7 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
         std::array<VkDescriptorImageInfo, materialTextureCount> images{};
         for (size_t i = 0; i < maps.size(); ++i) {
             const size_t texture = maps[i] >= 0 ? size_t(maps[i]) : scene.textures.size();
-            const auto& [wrapU, wrapV] = textureWraps_[texture];
-            images[i] = {sampler(wrapU, wrapV), textures_[texture].view.get(),
+            images[i] = {sampler(samplings_[texture]), textures_[texture].view.get(),
                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
         }
         const MaterialConstants values = materialConstants(material);

@@ -9,6 +9,9 @@
 
 namespace harness::vk {
 
+// Filters are anisotropic unless a texture sets its own.
+Sampler makeSampler(const Device& device, const Sampling& sampling);
+
 class GpuScene {
 public:
     GpuScene(const Device& device, const Scene& scene);
@@ -24,7 +27,7 @@ private:
     void uploadGeometry(Uploader& uploader, const Scene& scene);
     void uploadTextures(Uploader& uploader, const Scene& scene);
     void createMaterials(Uploader& uploader, const Scene& scene);
-    VkSampler sampler(Wrap u, Wrap v);
+    VkSampler sampler(const Sampling& sampling);
 
     const Device* device_;
     Arena arena_;
@@ -32,8 +35,8 @@ private:
     BufferResource indices_;
     BufferResource materialConstants_;
     std::vector<ImageResource> textures_; // Scene::textures, then a white texture
-    std::vector<std::pair<Wrap, Wrap>> textureWraps_;
-    std::map<std::pair<Wrap, Wrap>, Sampler> samplers_;
+    std::vector<Sampling> samplings_;     // of textures_
+    std::map<Sampling, Sampler> samplers_;
     DescriptorSetLayout layout_;
     DescriptorPool pool_;
     std::vector<VkDescriptorSet> materialSets_; // Scene::materials, then the default material

@@ -79,10 +79,10 @@ void VulkanRenderer::prepare(const FrameInput& input) {
                            strips_ ? strips_->layout() : VK_NULL_HANDLE);
     }
     const glm::mat4 viewProjection(input.camera.viewProjection);
-    const CameraConstants camera{viewProjection, float(settings.footprint)};
+    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(settings.footprint)};
     std::memcpy(cameraConstants_.mapped, &camera, sizeof camera);
     if (fetch_)
-        fetch_->update(scene(), input.draws, viewProjection);
+        fetch_->update(scene(), input.draws, {viewProjection, camera.viewer});
 }
 
 double VulkanRenderer::renderFrame(const FrameInput& input) {
