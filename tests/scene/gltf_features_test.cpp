@@ -1,5 +1,6 @@
 // Features of glTF that the loader resolves when it reads a file, and the sentences for those that it drops.
 #include "gltf_file.h"
+#include "render/lights.h"
 #include "scene_support.h"
 
 #include <limits>
@@ -155,6 +156,24 @@ TEST(GltfFeatures, DroppedFeaturesAreNamed) {
     for (const char* part : {"points", "lines", "animations", "occlusion", "KHR_materials_clearcoat", "camera"})
         EXPECT_TRUE(drops(scene, part)) << part;
     EXPECT_EQ(scene.dropped.size(), 6u);
+}
+
+// A lamp that reaches far is not large.
+TEST(GltfFeatures, RadiusOfALampDoesNotDependOnItsRange) {
+    GltfFile file;
+    const int position = file.add(kSquare, "VEC3", kFloat);
+    const auto radius = [&](const std::string& range, const std::string& scale) {
+        const Scene scene = loadGltf(file.writeGlb(
+            "lamp", R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point")" + range +
+                        R"(}]}},"meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":)" + str(position) +
+                        R"(}}]}],"nodes":[{"mesh":0,"scale":)" + scale +
+                        R"(},{"extensions":{"KHR_lights_punctual":{"light":0}}}],"scenes":[{"nodes":[0,1]}])"));
+        return toAgaaLights(scene.lights, {}, {}).at(0).radius;
+    };
+    for (const char* range : {"", R"(,"range":1000)", R"(,"range":0.01)"}) {
+        EXPECT_FLOAT_EQ(radius(range, "[100,100,100]"), 0.01f) << range;
+        EXPECT_FLOAT_EQ(radius(range, "[0.1,0.1,0.1]"), 0.0001f * std::sqrt(2.0f)) << range;
+    }
 }
 
 // Floats far from their origin have coarse steps, which matrices of floats would enlarge.

@@ -59,8 +59,7 @@ std::vector<AgaaLight> toAgaaLights(const std::vector<Light>& lights, const glm:
             out.color[c] = light.color[c];
         }
         out.range = light.type == LightType::Directional ? 0.0f : light.range;
-        // A scene may place lamps at walls and even inside of them.
-        out.radius = light.range > 0 ? 0.02f * light.range : 0.01f;
+        out.radius = light.radius;
         if (light.type == LightType::Spot) {
             out.cosOuter = std::cos(light.outerCone);
             out.cosInner = std::max(std::cos(light.innerCone), out.cosOuter);

@@ -52,6 +52,7 @@ Light randomPointLight(const Scene& scene, const Camera& camera, Random& random,
     const glm::dvec3 offset{random.in(-0.5f, 0.5f), random.in(-0.2f, 0.3f), random.in(-0.5f, 0.5f)};
     light.position = glm::clamp(camera.target + reach * offset, scene.boundsMin, scene.boundsMax);
     light.range = float(reach * random.in(minRange, maxRange));
+    light.radius = 0.02f * light.range; // the light may lie at a wall and even inside of it
     const float intensity = irradiance * light.range * light.range * 0.25f;
     const float hue = random.unit() * 6.2832f;
     light.color = intensity * glm::vec3(1.0f + 0.5f * std::cos(hue), 1.0f + 0.5f * std::cos(hue - 2.1f),

@@ -157,6 +157,14 @@ void moveTargets(Scene& scene) {
     }
 }
 
+// Lamps of glTF are points. They get a radius of a centimetre, or of a thousandth of a small scene, at which the
+// inverse-square law stops. Their range is a hint for culling and says nothing of their size.
+void setRadii(Scene& scene) {
+    const double size = glm::length(scene.boundsMax - scene.boundsMin);
+    for (Light& light : scene.lights)
+        light.radius = size > 0 ? float(std::min(0.01, 0.001 * size)) : 0.01f;
+}
+
 } // namespace
 
 Scene loadGltf(const std::filesystem::path& path) {
@@ -181,6 +189,7 @@ Scene loadGltf(const std::filesystem::path& path) {
     walk.visit(reader.at(model.scenes, chosen, "scenes").nodes);
     updateBounds(scene);
     moveTargets(scene);
+    setRadii(scene);
     return scene;
 }
 

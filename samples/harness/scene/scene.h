@@ -98,6 +98,7 @@ struct Light {
     glm::dvec3 direction{0, -1, 0}; // directional, spot: unit direction of the light
     glm::vec3 color{1};             // irradiance (directional) or intensity (point, spot), linear
     float range = 0;                // world units, 0: infinite
+    float radius = 0.01f;           // world units; within it, the inverse-square law stops
     float innerCone = 0;            // radians, half angle
     float outerCone = 0.7853982f;
     bool castsShadow = false;
