@@ -101,8 +101,13 @@ TEST(Planner, APlanHasNoMorePassesThanStatisticsHold) {
 }
 
 TEST(Planner, SamplesLieApartInsideThePixel) {
-    for (auto [hw, sx, sy] :
-         {std::tuple{4u, 1u, 2u}, {4u, 2u, 2u}, {4u, 2u, 4u}, {8u, 2u, 2u}, {1u, 4u, 8u}, {16u, 1u, 2u}}) {
+    for (auto [hw, sx, sy] : {std::tuple{4u, 1u, 2u},
+                              {4u, 2u, 2u},
+                              {4u, 2u, 4u},
+                              {8u, 2u, 2u},
+                              {1u, 4u, 8u},
+                              {16u, 1u, 2u},
+                              {32u, 1u, 1u}}) {
         const auto positions = samplePositions(standardPositions(hw), sx, sy);
         std::set<std::pair<float, float>> distinct;
         for (uint32_t i = 0; i < hw * sx * sy; ++i) {

@@ -2,7 +2,11 @@
 
 #include "core/view/resolved_view.h"
 
+#include <algorithm>
+
 namespace agaa {
+
+constexpr uint32_t mostStandardSamples = 16;
 
 // The standard sample locations of Vulkan and Direct3D, in sixteenths of a pixel.
 static const uint8_t (*standardPattern(uint32_t samples))[2] {
@@ -28,9 +32,13 @@ static const uint8_t (*standardPattern(uint32_t samples))[2] {
 
 std::vector<SamplePosition> standardPositions(uint32_t hwSamples) {
     std::vector<SamplePosition> positions;
-    const auto* pattern = standardPattern(hwSamples);
-    for (uint32_t i = 0; i < hwSamples; ++i)
-        positions.push_back({float(pattern[i][0]) / 16.0f, float(pattern[i][1]) / 16.0f});
+    const uint32_t count = std::min(hwSamples, mostStandardSamples);
+    const auto* pattern = standardPattern(count);
+    for (uint32_t i = 0; i < hwSamples; ++i) {
+        const uint8_t* at = pattern[i % count];
+        const float row = float(i / count); // of the pixel's parts, each with one pattern
+        positions.push_back({float(at[0]) / 16.0f, (row + float(at[1]) / 16.0f) * float(count) / float(hwSamples)});
+    }
     return positions;
 }
 

@@ -14,7 +14,8 @@ struct SamplePosition {
     float x, y; // in the pixel, [0;1), y down
 };
 
-// Returns the positions at which a device rasterises the samples of a texel.
+// Returns the positions at which a device rasterises the samples of a texel, a power of two. Standards define at most
+// 16 of them; plans for more, which no device executes, divide the texel into rows.
 std::vector<SamplePosition> standardPositions(uint32_t hwSamples);
 
 // Returns the samples of a target with scaleX x scaleY texels per pixel, each with samples at these positions. The
