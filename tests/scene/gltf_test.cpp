@@ -327,6 +327,13 @@ TEST(GltfErrors, DataBeyondTheBuffer) {
     };
     EXPECT_EQ(loadGltf(sparse("1", "")).placedTriangles(), 1u);
     expectError(sparse("6", ""), beyond);
+    std::string implied =
+        R"({"asset":{"version":"2.0"},"buffers":[{"uri":"beyond.bin","byteLength":64}],"bufferViews":)"
+        R"([{"buffer":0,"byteLength":64}],"accessors":[{"componentType":5126,"type":"VEC3","count":)"
+        R"(4294967296,"sparse":{"count":1,"indices":{"bufferView":0,"componentType":5125},)"
+        R"("values":{"bufferView":0}}}],)";
+    GltfFile::write(path, implied + square + "}");
+    expectError(path, "a sparse accessor without a buffer");
     expectError(sparse("-1", ""), "invalid indices");
     expectError(sparse("1", R"(,"byteOffset":65)"), beyond);
     expectError(sparse("1", R"(,"byteOffset":-4)"), "invalid indices");

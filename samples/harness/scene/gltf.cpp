@@ -70,10 +70,11 @@ std::optional<Camera> cameraOf(const tinygltf::Camera& source, const glm::dmat4&
     camera.up = axisOf(transform, {0, 1, 0});
     if (source.type == "orthographic") {
         camera.height = 2 * std::abs(source.orthographic.ymag);
-        return camera.height > 0 && camera.height <= largestNumber ? std::optional(camera) : std::nullopt;
+        return camera.height >= 1 / largestNumber && camera.height <= largestNumber ? std::optional(camera)
+                                                                                    : std::nullopt;
     }
     camera.fovDegrees = glm::degrees(source.perspective.yfov);
-    return camera.fovDegrees > 0 && camera.fovDegrees < 180 ? std::optional(camera) : std::nullopt;
+    return camera.fovDegrees >= 1e-3 && camera.fovDegrees < 180 ? std::optional(camera) : std::nullopt;
 }
 
 class NodeWalk {
@@ -130,7 +131,7 @@ private:
             if (camera)
                 reader_.scene.cameras.push_back(*camera);
             else
-                reader_.drop("a camera that covers no angle or no height is ignored");
+                reader_.drop("a camera that covers no angle between 0.001 and 180 degrees, or no height, is ignored");
         }
         const auto light = node.extensions.find("KHR_lights_punctual");
         if (light != node.extensions.end() && light->second.Has("light"))
