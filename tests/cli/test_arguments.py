@@ -134,6 +134,26 @@ class Arguments(unittest.TestCase):
                 json.dump({"measured": [row]}, file) # what they were changed from
             self.assertEqual(harness.data("choose", "--measured", path)["technique"], "single")
 
+    def test_features_that_a_scene_drops(self):
+        scene = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                 "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + "A" * 48}],
+                 "bufferViews": [{"buffer": 0, "byteLength": 36}],
+                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+                 "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": mode} for mode in (1, 3, 4)]}]}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "LINES.GLTF")
+            with open(path, "w") as file:
+                json.dump(scene, file)
+            result = harness.run("plan", "--scene", path, "--json")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stderr, f"warning: {path}: lines are not drawn.\n")
+            json.loads(result.stdout)
+            scene["buffers"][0]["uri"] += "A" * 1000000  # more bytes than the buffer has
+            with open(path, "w") as file:
+                json.dump(scene, file)
+            self.check(["plan", "--scene", path], 1)
+            self.assertLess(len(harness.run("plan", "--scene", path).stderr), 500)
+
     def test_layout_files(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "layout.json")
