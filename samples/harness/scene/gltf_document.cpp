@@ -63,6 +63,11 @@ Document splitChunks(const std::string& bytes) {
     return document;
 }
 
+Document readDocument(const std::filesystem::path& path) {
+    std::string bytes = readFile(path);
+    return bytes.starts_with("glTF") ? splitChunks(bytes) : Document{std::move(bytes), {}, false};
+}
+
 // Brackets in strings do not nest.
 void checkNesting(const std::string& text) {
     int depth = 0;
@@ -197,8 +202,7 @@ std::string shortened(std::string_view text) {
 }
 
 tinygltf::Model readGltfModel(const std::filesystem::path& path) {
-    const std::string bytes = readFile(path);
-    Document document = bytes.starts_with("glTF") ? splitChunks(bytes) : Document{bytes, {}, false};
+    Document document = readDocument(path);
     json root = parse(document.text);
     requireKnownExtensions(root);
     if (escapePlusSigns(root, "buffers") | escapePlusSigns(root, "images"))
@@ -209,10 +213,12 @@ tinygltf::Model readGltfModel(const std::filesystem::path& path) {
     tinygltf::Model model;
     std::string errors, warnings;
     const std::string folder = path.parent_path().string();
+    const bool isBinary = document.isBinary;
     bool isLoaded = false;
     try {
-        if (document.isBinary) {
+        if (isBinary) {
             const std::string joined = joinChunks(document);
+            document = {};
             isLoaded = loader.LoadBinaryFromMemory(&model, &errors, &warnings,
                                                    reinterpret_cast<const unsigned char*>(joined.data()),
                                                    unsigned(joined.size()), folder);
