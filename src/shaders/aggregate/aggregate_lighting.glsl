@@ -36,8 +36,8 @@ uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
     return taps;
 }
 
-// Returns the mean position of all samples, and finds their spread around it and the aggregate's share of each shadow map's light: at some of its
-// samples, at all of them, along the view ray or at the mean position.
+// Returns the mean position of all samples. Finds their spread around it, and the aggregate's share of each shadow
+// map's light: at some of its samples, at all of them, along the view ray or at the mean position.
 vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
     uint count = uint(bitCount(mask));

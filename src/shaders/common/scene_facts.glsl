@@ -5,8 +5,8 @@
 
 bool agaa_hasFact(uint fact) { return (AGAA_FACTS & fact) != 0u; }
 
-// Returns the bits of the facts that this material demands or contradicts. emissiveRange: of the layout. Emission has no
-// other scale, because hosts multiply it by their exposure.
+// Returns the bits of the facts that this material demands or contradicts. emissiveRange: of the layout. Emission has
+// no other scale, because hosts multiply it by their exposure.
 uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2, float emissiveRange) {
     const float least = 2e-3; // above the rounding of 8 bits
     float leastEmission = emissiveRange * 7.6e-6; // half a step of 16 bits

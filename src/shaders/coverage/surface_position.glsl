@@ -38,7 +38,8 @@ float agaa_spreadOfSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 posit
     return sum * 0.25;
 }
 
-// Finds the spread of the surface, and the visibility by shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or at their centroid.
+// Finds the spread of the surface, and the visibility by shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly
+// chosen, or at their centroid.
 void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
     if (!agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS))
         agaa_setSpread(agaa_spreadOfSurface(pixel, shown, mask, position), position);

@@ -33,9 +33,9 @@ rvec3 agaa_lightDirection(rvec3 toLight, real rMin2) {
     return rvec3(toLight.x * scale, toLight.y * scale, toLight.z * scale);
 }
 
-// A shading event at the mean position of an aggregate stands for the mean over its samples. The two functions keep this
-// mean bounded if a light is nearer than the aggregate is wide, and do not change far lights, whose error by the spread
-// is of the fourth order. Their constants are fitted to the irradiance of a square (hard case 65).
+// A shading event at the mean position of an aggregate stands for the mean over its samples. The two functions keep
+// this mean bounded if a light is nearer than the aggregate is wide, and do not change far lights, whose error by the
+// spread is of the fourth order. Their constants are fitted to the irradiance of a square (hard case 65).
 // spread   Mean squared distance of the samples from the position of the event.
 
 // Returns the squared distance by which a light is attenuated: the root of d2^2 + spread^2.
