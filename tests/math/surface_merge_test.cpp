@@ -85,15 +85,21 @@ TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
                              decltype(Rules::rule)(random.below(3))};
         KeptSurfaces shader{};
         Pixel paper;
-        uint32_t lost = 0;
+        uint32_t lost = 0, mergedFirst = 0, mergedSecond = 0, discarded = 0;
         for (const Surface& s : randomPixel(random, samples)) {
             const auto done = shader.agaa_insertSurface(shaderOf(s), shaderRules(rules));
             lost += done.lost;
+            mergedFirst += !done.isSecond && done.hasMerged;
+            mergedSecond += done.isSecond && done.hasMerged;
+            discarded += done.isSecond && !done.hasMerged;
             ++kinds[!done.isSecond ? done.share < 1 ? 0 : 1 : done.lost ? 2 : 3];
             paper.insert(s, rules);
         }
         ASSERT_NO_FATAL_FAILURE(expectEqual(shader, paper)) << run;
         ASSERT_EQ(lost, paper.lostSamples);
+        ASSERT_EQ(mergedFirst, paper.mergedFirst);
+        ASSERT_EQ(mergedSecond, paper.mergedSecond);
+        ASSERT_EQ(discarded, paper.discarded);
     }
     for (const uint32_t count : kinds)
         EXPECT_GT(count, 1000u);

@@ -185,6 +185,30 @@ TYPED_TEST_P(ShadowFunctionCases, ResultsAreContained) {
     EXPECT_EQ(this->picture("1e30"), lit);
 }
 
+// A sample that is like the first, but nearer to a further one, counts in the shadows of one of them.
+TYPED_TEST_P(ShadowFunctionCases, NoSampleCountsInTwoEventsOfAdaptive) {
+    AgaaShadowFunction function = shadowFunction(allLitText, 1);
+    ViewSettings settings = this->settingsFor("adaptive", function, 1);
+    settings.config.samples = 16;
+    settings.config.shadowTaps = 32;
+    settings.config.surfaceMaterial = 0.3f;
+    settings.config.adaptive.flags = AGAA_ADAPTIVE_GEOMETRY;
+    typename TypeParam::View view(this->context, settings);
+    view.setTriangles(this->scene());
+    AgaaShadow shadow{};
+    AgaaLight light = sun();
+    light.shadowMap = 0;
+    AgaaFrame frame = view.frame();
+    setLight(frame, light, &shadow);
+    TypeParam::run(view, [&](typename TypeParam::Frame& native) {
+        ASSERT_EQ(TypeParam::recordFrame(view.get(), &frame, &native), AGAA_OK);
+    });
+    const AgaaCounters counters = view.statistics().counters;
+    EXPECT_GT(counters.shadingEvents, counters.shadedPixels);
+    EXPECT_GT(counters.shadowTaps, counters.shadedPixels);
+    EXPECT_LE(counters.shadowTaps, counters.visible);
+}
+
 TYPED_TEST_P(ShadowFunctionCases, BadOnesAreRefusedInASentence) {
     struct Row {
         const char* what;
@@ -220,6 +244,6 @@ TYPED_TEST_P(ShadowFunctionCases, BadOnesAreRefusedInASentence) {
 
 REGISTER_TYPED_TEST_SUITE_P(ShadowFunctionCases, AgreesWithDouble, IsNotAskedForShadowsThatTheFrameHasNot,
                             IsRefusedWhereTheHostShades, ExtensionsAreLinesOfTheirOwn, ResultsAreContained,
-                            BadOnesAreRefusedInASentence);
+                            NoSampleCountsInTwoEventsOfAdaptive, BadOnesAreRefusedInASentence);
 
 } // namespace agaa::test

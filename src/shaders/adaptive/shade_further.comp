@@ -105,11 +105,11 @@ agaa_Further agaa_furtherOf(uvec2 pixel) {
 }
 
 // Returns the samples whose shadows sample i is shaded with. Samples similar to the first have the shadows of the
-// first.
+// first, those that belong to another shaded sample included: each sample's shadow counts once.
 uint agaa_shadowedSamples(uint lane, uint i, uint samples) {
     if (agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
         return 1u << i;
-    return (agaa_laneFirst[lane] >> i & 1u) != 0u ? agaa_laneFirst[lane] : samples;
+    return (agaa_laneFirst[lane] >> i & 1u) != 0u ? agaa_laneFirst[lane] : samples & ~agaa_laneFirst[lane];
 }
 
 vec3 agaa_shadeEvent(uint lane, uint i) {

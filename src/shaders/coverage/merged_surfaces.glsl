@@ -55,12 +55,11 @@ void agaa_mergeMaterial(uint base, agaa_Stored v, float share, float normalLengt
         agaa_setSurfaces(base + AGAA_MATERIAL_WORD + w, agaa_packed[w]);
 }
 
-void agaa_countInsertion(agaa_Insertion done, bool isNew) {
-    bool gave = done.from != AGAA_NO_SURFACE || (done.to != AGAA_NO_SURFACE && done.share < 1.0);
+void agaa_countInsertion(agaa_Insertion done) {
     if (done.isSecond)
-        agaa_count(gave ? AGAA_COUNT_MERGED_SECOND : AGAA_COUNT_DISCARDED, 1u);
-    else if (!isNew)
-        agaa_count(AGAA_COUNT_MERGED_FIRST, 1u);
+        agaa_count(done.hasMerged ? AGAA_COUNT_MERGED_SECOND : AGAA_COUNT_DISCARDED, 1u);
+    else
+        agaa_count(AGAA_COUNT_MERGED_FIRST, done.hasMerged ? 1u : 0u);
     agaa_count(AGAA_COUNT_LOST_SAMPLES, done.lost);
 }
 
@@ -75,9 +74,8 @@ agaa_MergeRules agaa_mergeRules() {
 agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stored material, agaa_NormalSpread spread) {
     agaa_MergeRules rules = agaa_mergeRules();
     rules.slack = abs(s.plane.x) * 9.5367e-7;
-    uint before = agaa_keptCount;
     agaa_Insertion done = agaa_insertSurface(s, rules);
-    agaa_countInsertion(done, agaa_keptCount > before);
+    agaa_countInsertion(done);
     if (done.from != AGAA_NO_SURFACE) {
         uint from = agaa_surfaceBase(pixel, done.from);
         agaa_Stored moving = agaa_loadMaterial(from);

@@ -46,13 +46,14 @@ struct agaa_Insertion {
     uint to;
     real share;
     real shareLength;
-    bool isSecond; // the pixel was full, and the fragment merged with no surface at first
+    bool isSecond;  // the pixel was full, and the fragment merged with no surface at first
+    bool hasMerged; // a surface or the fragment merged into another
     uint lost;     // number of visible samples that no surface has any more
 };
 
 agaa_Insertion agaa_noInsertion() {
     return agaa_Insertion(AGAA_NO_SURFACE, AGAA_NO_SURFACE, real(0.0), real(1.0), AGAA_NO_SURFACE, real(1.0), real(1.0),
-                          false, 0u);
+                          false, false, 0u);
 }
 
 agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last is the current fragment
@@ -232,6 +233,7 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     if (target == AGAA_NO_SURFACE) {
         done.lost = agaa_coverageCount(visible);
     } else {
+        done.hasMerged = true;
         const uvec4 targetMask = byCost ? agaa_visibleOf(target, count) : agaa_kept[target].mask;
         const rvec2 merged = agaa_mergeKept(agaa_kept[target], agaa_kept[least], moving, agaa_coverageCount(targetMask),
                                             agaa_coverageCount(moving), rules.slack);
@@ -258,6 +260,7 @@ agaa_Insertion agaa_insertSurface(agaa_CoveredSurface s, agaa_MergeRules rules) 
     agaa_Insertion done = agaa_noInsertion();
     done.to = agaa_findAligned(s, rules);
     if (done.to != AGAA_NO_SURFACE) {
+        done.hasMerged = true;
         const rvec2 merged = agaa_mergeKept(agaa_kept[done.to], s, s.mask, agaa_coverageCount(agaa_kept[done.to].mask),
                                             agaa_coverageCount(s.mask), rules.slack);
         done.share = merged.x;
