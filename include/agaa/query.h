@@ -43,8 +43,8 @@ typedef struct AgaaDeviceCaps {
     char deviceName[128];
     char driverName[128];
     uint32_t sampleCounts;    /* bit i: multisampled colour and depth textures with 2^i samples, in the formats that the
-                                 device has. A view with a surface of another format fails with
-                                 AGAA_ERROR_UNSUPPORTED */
+                                 device has; bit 0 is set, and bits above 6 are not. A view with a surface of another
+                                 format fails with AGAA_ERROR_UNSUPPORTED */
     uint32_t maxImageSize;    /* texels */
     uint64_t maxStorageRange; /* bytes of one storage buffer */
     uint32_t maxSharedBytes;  /* bytes of shared memory of a compute workgroup */
@@ -91,7 +91,8 @@ AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t
  *
  * Errors         AGAA_ERROR_INVALID_ARGUMENT   count is null
  *                AGAA_ERROR_STRUCT             caps or an element is not initialised
- *                AGAA_ERROR_OUT_OF_RANGE       a reserved member of caps is not 0, or a flag is unknown
+ *                AGAA_ERROR_OUT_OF_RANGE       a reserved member of caps is not 0, a flag is unknown, or
+ *                                              AgaaDeviceCaps::sampleCounts is of no device
  *                AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short
  * Threads        Any. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,

@@ -1,5 +1,7 @@
 #include "core/base/names.h"
 
+#include "core/base/error.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -34,6 +36,15 @@ constexpr const char* stages[] = {"prepass", "definition", "generation", "shadin
 bool isSameName(std::string_view a, std::string_view b) {
     const auto plain = [](char c) { return c == '_' ? '-' : c; };
     return std::ranges::equal(a, b, {}, plain, plain);
+}
+
+std::string printable(const char* name) {
+    std::string text;
+    for (const char* at = name; *at && at - name < 64; ++at) {
+        const auto byte = static_cast<unsigned char>(*at);
+        text += byte < 0x20 || byte == 0x7F ? format("\\x%02X", byte) : std::string(1, *at);
+    }
+    return text;
 }
 
 bool isTier(uint32_t tier) {

@@ -3,6 +3,7 @@
 
 #include "agaa_sdk.h"
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace agaa {
 
 // Compares names that hosts pass. '-' equals '_'.
 bool isSameName(std::string_view a, std::string_view b);
+
+// Returns a name of a host for a sentence: at most 64 bytes, with control characters as "\\x0A".
+std::string printable(const char* name);
 
 bool isTier(uint32_t tier);
 const char* tierName(uint32_t tier);

@@ -1,5 +1,6 @@
 #include "core/plan/plan.h"
 
+#include "core/base/names.h"
 #include "core/base/checked.h"
 #include "core/base/error.h"
 #include "core/plan/arena.h"
@@ -95,7 +96,7 @@ ResourceId Plan::surface(const char* surfaceName) const {
     for (ResourceId id = 0; id < resources.size(); ++id)
         if (resources[id].isPerPixel() && resources[id].name == surfaceName)
             return id;
-    fail(AGAA_ERROR_INVALID_ARGUMENT, format("the view has no surface called \"%.64s\".", surfaceName));
+    fail(AGAA_ERROR_INVALID_ARGUMENT, format("the view has no surface called \"%s\".", printable(surfaceName).c_str()));
 }
 
 } // namespace agaa

@@ -51,7 +51,7 @@ AgaaLayout builtinLayout(const char* name) {
             {AGAA_SEMANTIC_SPECULAR, 3, 8, 8, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
             {AGAA_SEMANTIC_ROUGHNESS, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
         });
-    fail(AGAA_ERROR_LAYOUT, format("no built-in layout is called \"%.64s\".", name));
+    fail(AGAA_ERROR_LAYOUT, format("no built-in layout is called \"%s\".", printable(name).c_str()));
 }
 
 static const char* semanticName(uint32_t semantic) {
@@ -154,7 +154,7 @@ static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
         fail(AGAA_ERROR_LAYOUT,
              format("custom layout attribute \"%s\": a name has 1 to 31 letters, digits and single underscores, begins "
                     "with a letter, not with gl_, agaa or AGAA, and is no word of GLSL.",
-                    name.c_str()));
+                    printable(name.c_str()).c_str()));
     const bool isTaken = std::find(std::begin(members), std::end(members), name) != std::end(members) ||
                          std::any_of(layout.customs.begin(), layout.customs.end(),
                                      [&](const CustomAttribute& custom) { return custom.name == name; });

@@ -97,7 +97,7 @@ void applyPreset(const char* name, AgaaConfig& config, AgaaAggregation& aggregat
     for (const Preset& preset : presets)
         if (isSameName(preset.name, name))
             return setPreset(preset, config, aggregation, measurement);
-    fail(AGAA_ERROR_INVALID_ARGUMENT, format("no preset is called \"%.64s\".", name));
+    fail(AGAA_ERROR_INVALID_ARGUMENT, format("no preset is called \"%s\".", printable(name).c_str()));
 }
 
 void applyDefaults(AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {

@@ -46,7 +46,7 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer, TechniqueTable table) {
     const AgaaConfig config = readStruct(pointer, configChain(table));
     require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
     if (!findTechnique(table, config.technique))
-        fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%.64s\".", config.technique));
+        fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%s\".", printable(config.technique).c_str()));
     checkRange(uint64_t(config.aggregates), 1, 8, "AgaaConfig::aggregates");
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
     checkRange(uint64_t(config.ndf), 0, AGAA_NDF_SGGX, "AgaaConfig::ndf");

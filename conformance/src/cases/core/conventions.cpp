@@ -124,8 +124,8 @@ const std::vector<Change>& extremes() {
             p.caps.flags =
                 idealDeviceFlags | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE | AGAA_DEVICE_CONDITIONAL_RENDERING;
         },
-        [](ViewParts& p) { p.caps.sampleCounts = 0xFFFFFFFF, p.caps.maxSharedBytes = 0xFFFFFFFF; },
-        [](ViewParts& p) { p.caps.sampleCounts = 0, p.caps.maxImageSize = 0, p.caps.maxStorageRange = 0; },
+        [](ViewParts& p) { p.caps.sampleCounts = 0x7F, p.caps.maxSharedBytes = 0xFFFFFFFF; },
+        [](ViewParts& p) { p.caps.sampleCounts = 1, p.caps.maxImageSize = 0, p.caps.maxStorageRange = 0; },
         [](ViewParts& p) { p.caps.maxImageSize = 0xFFFFFFFF, p.caps.maxStorageRange = ~UINT64_C(0); },
         [](ViewParts& p) {
             p.desc.width = p.desc.height = p.caps.maxImageSize = 0xFFFFFFFF, p.caps.maxStorageRange = ~UINT64_C(0);
