@@ -83,7 +83,7 @@ namespace {
 
 // Adds a table with the coverage masks of half-planes, for sample positions that the host sets.
 ResourceId makeCoverageTable(PlanBuilder& b) {
-    constexpr uint32_t usualSize = 128; // as in the paper
+    constexpr uint32_t usualSize = 128; // the paper names none
     const uint32_t size = b.view().coverage.tableSize ? b.view().coverage.tableSize : usualSize;
     require(b.view().coveragePositions.size() == 2 * b.view().samples, AGAA_ERROR_INTERNAL,
             "positions of coverage samples are of another number of samples.");
