@@ -105,6 +105,23 @@ inline std::vector<Triangle> tangle(uint32_t count) {
     return list;
 }
 
+// Another order of draws merges other surfaces: the image differs by no more than the error of merging, and no sample
+// is lost. Where nothing merges, the order changes nothing.
+TYPED_TEST_P(DcaaCases, HardCase67OrderOfDrawsIsBounded) {
+    const Shot shot{.triangles = tangle(170)};
+    const Shot reversed{.triangles = {shot.triangles.rbegin(), shot.triangles.rend()}};
+    ViewSettings exact = dcaaSettings();
+    exact.config.coverage.flags = AGAA_COVERAGE_EXACT;
+    const Shown truth = this->render(exact, shot);
+    EXPECT_GT(compare(this->render(exact, reversed).rgb, truth.rgb).psnr, 90);
+    const Shown one = this->render(dcaaSettings(), shot), other = this->render(dcaaSettings(), reversed);
+    const double error = compare(one.rgb, truth.rgb).psnr, change = compare(other.rgb, one.rgb).psnr;
+    std::printf("PSNR of a reversed order %.1f dB, of merging %.1f dB\n", change, error);
+    EXPECT_LT(change, 100) << "the order matters";
+    EXPECT_GT(change, error) << "no more than the error of merging, on triangles of one size";
+    EXPECT_EQ(one.counters.lostSamples + other.counters.lostSamples, 0u);
+}
+
 // Where a pixel keeps every fragment, memory has what algorithm 1 begins with. Merged by the paper's words on the CPU,
 // it is what the device keeps of fewer surfaces.
 TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
@@ -286,6 +303,6 @@ TYPED_TEST_P(DcaaCases, OneFullTileDoesNotShrinkBatches) {
 REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow,
                             ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows,
                             OneFullTileDoesNotShrinkBatches, EdgesCoverTheirShare, ShowsWhatManySamplesShow,
-                            MergesAsAlgorithm1OfThePaper);
+                            MergesAsAlgorithm1OfThePaper, HardCase67OrderOfDrawsIsBounded);
 
 } // namespace agaa::test
