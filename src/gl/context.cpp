@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "gl/bindings.h"
+#include "gl/errors.h"
 #include "gl/timer_probe.h"
 
 #include <algorithm>
@@ -138,6 +139,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc,
     if (dialect.storageImages)
         limitToImages(gl, caps);
     guard.emplace(gl, scopeOf(dialect), isCompatibilityProfile(gl));
+    checkErrors("creating the context"); // the probe below may remove errors
     if (statePolicy == AGAA_GL_STATE_CALLBACKS)
         hostBindings.emplace(gl, dialect, isCompatibilityProfile(gl));
     guard->capture();
@@ -148,6 +150,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc,
         timeSource = probeTimer(gl, timestampBits) ? AGAA_TIME_DEVICE : AGAA_TIME_CPU_FINISH;
     } catch (...) {
         guard->restore();
+        discardErrors(gl);
         throw;
     }
     guard->restore();
@@ -156,6 +159,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc,
         checkErrors("creating the context");
     } catch (...) {
         destroyObjects();
+        discardErrors(gl);
         throw;
     }
 }
@@ -164,6 +168,7 @@ Context::~Context() { destroyObjects(); }
 
 void Context::createObjects() {
     gl.CreateSamplers(1, &shadowSampler);
+    requireObject(gl, shadowSampler, "glCreateSamplers");
     label(GL_SAMPLER, shadowSampler, "agaa shadow sampler");
     for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.SamplerParameteri(shadowSampler, filter, GL_LINEAR);
@@ -172,23 +177,27 @@ void Context::createObjects() {
     gl.SamplerParameteri(shadowSampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     gl.SamplerParameteri(shadowSampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     gl.CreateSamplers(1, &linearSampler);
+    requireObject(gl, linearSampler, "glCreateSamplers");
     label(GL_SAMPLER, linearSampler, "agaa linear sampler");
     for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.SamplerParameteri(linearSampler, filter, GL_LINEAR);
     for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         gl.SamplerParameteri(linearSampler, wrap, GL_CLAMP_TO_EDGE);
     gl.CreateSamplers(1, &texelSampler);
+    requireObject(gl, texelSampler, "glCreateSamplers");
     label(GL_SAMPLER, texelSampler, "agaa texel sampler");
     for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.SamplerParameteri(texelSampler, filter, GL_NEAREST);
     for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         gl.SamplerParameteri(texelSampler, wrap, GL_CLAMP_TO_EDGE);
     gl.CreateFramebuffers(1, &emptyFramebuffer);
+    requireObject(gl, emptyFramebuffer, "glCreateFramebuffers");
     label(GL_FRAMEBUFFER, emptyFramebuffer, "agaa no target");
     for (GLenum side : {GL_FRAMEBUFFER_DEFAULT_WIDTH, GL_FRAMEBUFFER_DEFAULT_HEIGHT})
         gl.NamedFramebufferParameteri(emptyFramebuffer, side, 1);
     gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &maxDebugGroups);
     gl.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &emptyShadowMap);
+    requireObject(gl, emptyShadowMap, "glCreateTextures");
     label(GL_TEXTURE, emptyShadowMap, "agaa no shadow");
     gl.TextureStorage3D(emptyShadowMap, 1, GL_DEPTH_COMPONENT16, 1, 1, 1);
 }
@@ -219,13 +228,6 @@ void Context::clearHostErrors(const char* call, GLenum ours) const {
     }
 }
 
-void Context::checkErrors(const char* what) const {
-    const GLenum error = gl.GetError();
-    if (error == GL_NO_ERROR)
-        return;
-    if (error == GL_OUT_OF_MEMORY)
-        fail(AGAA_ERROR_OUT_OF_MEMORY, format("%s: the driver is out of memory.", what));
-    fail(AGAA_ERROR_DEVICE, format("%s: OpenGL reports error 0x%04X.", what, error));
-}
+void Context::checkErrors(const char* what) const { gl::checkErrors(gl, what); }
 
 } // namespace agaa::gl

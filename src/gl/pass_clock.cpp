@@ -1,6 +1,9 @@
 #include "gl/pass_clock.h"
 
+#include "gl/errors.h"
 #include "gl/query_buffer.h"
+
+#include <algorithm>
 
 namespace agaa::gl {
 
@@ -9,6 +12,12 @@ PassClock::PassClock(const Context& context, size_t passCount, uint32_t slotCoun
     if (context.timeSource == AGAA_TIME_DEVICE) {
         queries_.resize(2 * passCount * slotCount);
         context.gl.CreateQueries(GL_TIMESTAMP, GLsizei(queries_.size()), queries_.data());
+        try {
+            requireObject(context.gl, *std::min_element(queries_.begin(), queries_.end()), "glCreateQueries");
+        } catch (...) {
+            context.gl.DeleteQueries(GLsizei(queries_.size()), queries_.data());
+            throw;
+        }
     } else {
         times_.resize(passCount * slotCount);
         begins_.resize(passCount);

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/glsl/glsl_text.h"
 #include "gl/context.h"
+#include "gl/errors.h"
 
 #include <algorithm>
 #include <vector>
@@ -14,6 +15,8 @@ namespace {
 // Returns the first line of a log as the end of a sentence.
 std::string firstLine(const std::string& log) {
     std::string line = log.substr(0, log.find('\n'));
+    if (line.empty())
+        return "the driver gives no reason.";
     return line.ends_with('.') ? line : line + '.';
 }
 
@@ -37,7 +40,7 @@ std::string programLog(const GladGLContext& gl, GLuint program) {
 
 static void attachStage(const GladGLContext& gl, GLuint program, const StageText& stage, const std::string& name,
                         AgaaResult blame) {
-    const GLuint shader = gl.CreateShader(stage.stage);
+    const GLuint shader = requireObject(gl, gl.CreateShader(stage.stage), "glCreateShader");
     gl.ShaderSource(shader, 1, &stage.text, nullptr);
     gl.CompileShader(shader);
     GLint done = GL_FALSE;
@@ -45,13 +48,15 @@ static void attachStage(const GladGLContext& gl, GLuint program, const StageText
     const std::string log = done ? "" : firstLine(shaderLog(gl, shader));
     gl.AttachShader(program, shader);
     gl.DeleteShader(shader); // it is deleted together with the program
-    if (!done)
+    if (!done) {
+        checkErrors(gl, (name + " does not compile").c_str());
         fail(blame, format("%s does not compile: %s", name.c_str(), log.c_str()));
+    }
 }
 
 GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages, const std::string& name,
                    AgaaResult blame, bool isRetrievable) {
-    const GLuint program = gl.CreateProgram();
+    const GLuint program = requireObject(gl, gl.CreateProgram(), "glCreateProgram");
     if (isRetrievable)
         gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     try {
@@ -60,8 +65,10 @@ GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> sta
         gl.LinkProgram(program);
         GLint done = GL_FALSE;
         gl.GetProgramiv(program, GL_LINK_STATUS, &done);
-        if (!done)
+        if (!done) {
+            checkErrors(gl, (name + " does not link").c_str());
             fail(blame, format("%s does not link: %s", name.c_str(), firstLine(programLog(gl, program)).c_str()));
+        }
     } catch (...) {
         gl.DeleteProgram(program);
         throw;
@@ -72,6 +79,8 @@ GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> sta
 // Returns 0 if the driver refuses the binary, for example after an update that did not change its version string.
 static GLuint loadBinary(const GladGLContext& gl, const ProgramCache::Binary& binary) {
     const GLuint program = gl.CreateProgram();
+    if (program == 0)
+        return 0; // the caller's next call fails, too
     gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     gl.ProgramBinary(program, binary.format, binary.bytes.data(), GLsizei(binary.bytes.size()));
     GLint done = GL_FALSE;
@@ -110,7 +119,7 @@ Compiled compilePass(Context& context, const Pass& pass) {
     const bool isImported = !pass.compute().hostCode.empty();
     const GLuint program =
         linkProgram(gl, {stage}, isImported ? pass.compute().hostCodeOrigin : "the pass " + pass.name,
-                    isImported ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_INTERNAL, context.keepsPrograms);
+                    isImported ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_DEVICE, context.keepsPrograms);
     if (context.keepsPrograms)
         keepBinary(gl, program, key, context.programs);
     return {program, false};

@@ -16,10 +16,11 @@ struct StageText {
     GLenum stage;
     const char* text;
 };
-// Throws `blame` with the compiler's first message. blame: AGAA_ERROR_INTERNAL unless the text contains code of the
-// host. isRetrievable: the binary of the program will be read.
+// If OpenGL reports an error, throws its code; otherwise throws `blame` with the compiler's first message. blame: the
+// default is for text of the SDK, which conforming drivers compile. isRetrievable: the binary of the program will be
+// read.
 GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages, const std::string& name,
-                   AgaaResult blame = AGAA_ERROR_INTERNAL, bool isRetrievable = false);
+                   AgaaResult blame = AGAA_ERROR_DEVICE, bool isRetrievable = false);
 // Compiles a compute pass, or loads its program from the context's cache.
 Compiled compilePass(Context& context, const Pass& pass);
 

@@ -1,6 +1,7 @@
 #include "gl/resources.h"
 
 #include "core/base/error.h"
+#include "gl/errors.h"
 #include "gl/formats.h"
 
 namespace agaa::gl {
@@ -57,6 +58,7 @@ void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
     const auto width = GLsizei(resource.width), height = GLsizei(resource.height);
     if (resource.samples > 1) {
         gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &out.texture);
+        requireObject(gl, out.texture, "glCreateTextures");
         gl.TextureStorage2DMultisample(out.texture, GLsizei(resource.samples), texels, width, height, GL_TRUE);
         GLint samples = 0;
         gl.GetTextureLevelParameteriv(out.texture, 0, GL_TEXTURE_SAMPLES, &samples);
@@ -65,6 +67,7 @@ void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
                                                 resource.name.c_str(), resource.samples, samples));
     } else {
         gl.CreateTextures(resource.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &out.texture);
+        requireObject(gl, out.texture, "glCreateTextures");
         if (resource.layers > 1)
             gl.TextureStorage3D(out.texture, 1, texels, width, height, GLsizei(resource.layers));
         else
@@ -81,9 +84,9 @@ void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
 void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuResource& out) {
     const GladGLContext& gl = context_.gl;
     for (uint32_t copy = 0; copy < resource.copies; ++copy) {
-        GLuint buffer = 0;
+        GLuint& buffer = out.buffers.emplace_back(0u);
         gl.CreateBuffers(1, &buffer);
-        out.buffers.push_back(buffer);
+        requireObject(gl, buffer, "glCreateBuffers");
         const GLenum usage = resource.kind == ResourceKind::UploadBuffer     ? GL_STREAM_DRAW
                              : resource.kind == ResourceKind::ReadbackBuffer ? GL_STREAM_READ
                                                                              : GL_DYNAMIC_COPY;
@@ -95,9 +98,9 @@ void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuRe
             payloadBytes_ += resource.bytes;
         if (texels == GL_NONE)
             continue;
-        GLuint image = 0;
+        GLuint& image = out.bufferImages.emplace_back(0u);
         gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &image);
-        out.bufferImages.push_back(image);
+        requireObject(gl, image, "glCreateTextures");
         gl.TextureBuffer(image, texels, buffer);
         context_.label(GL_TEXTURE, image, "agaa " + resource.name);
     }

@@ -1,5 +1,7 @@
 #include "gl/state_context.h"
 
+#include "gl/errors.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -44,16 +46,30 @@ StateContext::StateContext(const GladGLContext& gl, const StateScope& scope, boo
     set(StateArray::ClipDistances, first(limit(gl, GL_MAX_CLIP_DISTANCES)));
     set(StateArray::SampleMaskWords, first(limit(gl, GL_MAX_SAMPLE_MASK_WORDS)));
 
-    gl.CreateProgramPipelines(1, &pipeline_);
-    gl.CreateRenderbuffers(1, &stencil_);
-    gl.NamedRenderbufferStorage(stencil_, GL_DEPTH24_STENCIL8, 1, 1);
-    gl.CreateFramebuffers(1, &framebuffer_);
-    gl.NamedFramebufferRenderbuffer(framebuffer_, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, stencil_);
-    // Makes the driver validate the attachment now: binding the framebuffer alone may not.
-    gl.CheckNamedFramebufferStatus(framebuffer_, GL_DRAW_FRAMEBUFFER);
+    try {
+        createObjects();
+    } catch (...) {
+        destroyObjects();
+        discardErrors(gl);
+        throw;
+    }
 }
 
-StateContext::~StateContext() {
+StateContext::~StateContext() { destroyObjects(); }
+
+void StateContext::createObjects() {
+    gl_.CreateProgramPipelines(1, &pipeline_);
+    requireObject(gl_, pipeline_, "glCreateProgramPipelines");
+    gl_.CreateRenderbuffers(1, &stencil_);
+    gl_.NamedRenderbufferStorage(requireObject(gl_, stencil_, "glCreateRenderbuffers"), GL_DEPTH24_STENCIL8, 1, 1);
+    gl_.CreateFramebuffers(1, &framebuffer_);
+    requireObject(gl_, framebuffer_, "glCreateFramebuffers");
+    gl_.NamedFramebufferRenderbuffer(framebuffer_, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, stencil_);
+    // Makes the driver validate the attachment now: binding the framebuffer alone may not.
+    gl_.CheckNamedFramebufferStatus(framebuffer_, GL_DRAW_FRAMEBUFFER);
+}
+
+void StateContext::destroyObjects() {
     gl_.DeleteFramebuffers(1, &framebuffer_);
     gl_.DeleteRenderbuffers(1, &stencil_);
     gl_.DeleteProgramPipelines(1, &pipeline_);

@@ -26,6 +26,9 @@ public:
 
 private:
     friend class StateReading;
+    void createObjects();
+    void destroyObjects();
+
     const GladGLContext& gl_;
     bool compatibility_;
     std::array<std::vector<uint32_t>, kStateArrays> elements_;

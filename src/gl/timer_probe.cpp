@@ -1,6 +1,7 @@
 #include "gl/timer_probe.h"
 
 #include "core/base/error.h"
+#include "gl/errors.h"
 #include "gl/pass_clock.h"
 #include "gl/program.h"
 #include "gl/query_buffer.h"
@@ -36,16 +37,13 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
 // The work is a draw because drivers that rasterise on the CPU defer draws, but not dispatches.
 class Work {
 public:
-    explicit Work(const GladGLContext& context)
-        : gl(context),
-          program(linkProgram(context, {{GL_VERTEX_SHADER, vertexText}, {GL_FRAGMENT_SHADER, fragmentText}},
-                              "the timer probe")) {
-        gl.CreateTextures(GL_TEXTURE_2D, 1, &target);
-        gl.TextureStorage2D(target, 1, GL_RGBA8, side, side);
-        gl.CreateFramebuffers(1, &framebuffer);
-        gl.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, target, 0);
-        gl.CreateVertexArrays(1, &vertexArray);
-        gl.CreateQueries(GL_TIMESTAMP, 2, stamps);
+    explicit Work(const GladGLContext& context) : gl(context) {
+        try {
+            create();
+        } catch (...) {
+            destroy();
+            throw;
+        }
         gl.UseProgram(program);
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
         gl.BindVertexArray(vertexArray);
@@ -60,13 +58,7 @@ public:
         gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
         gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
-    ~Work() {
-        gl.DeleteProgram(program);
-        gl.DeleteFramebuffers(1, &framebuffer);
-        gl.DeleteTextures(1, &target);
-        gl.DeleteVertexArrays(1, &vertexArray);
-        gl.DeleteQueries(2, stamps);
-    }
+    ~Work() { destroy(); }
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;
 
@@ -87,6 +79,28 @@ public:
     }
 
 private:
+    void create() {
+        program = linkProgram(gl, {{GL_VERTEX_SHADER, vertexText}, {GL_FRAGMENT_SHADER, fragmentText}},
+                              "the timer probe", AGAA_ERROR_UNSUPPORTED);
+        gl.CreateTextures(GL_TEXTURE_2D, 1, &target);
+        gl.TextureStorage2D(requireObject(gl, target, "glCreateTextures"), 1, GL_RGBA8, side, side);
+        gl.CreateFramebuffers(1, &framebuffer);
+        requireObject(gl, framebuffer, "glCreateFramebuffers");
+        gl.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, target, 0);
+        gl.CreateVertexArrays(1, &vertexArray);
+        requireObject(gl, vertexArray, "glCreateVertexArrays");
+        gl.CreateQueries(GL_TIMESTAMP, 2, stamps);
+        requireObject(gl, stamps[0] != 0 ? stamps[1] : 0, "glCreateQueries");
+        checkErrors(gl, "probing timestamps"); // nothing is drawn into a target without memory
+    }
+    void destroy() {
+        gl.DeleteProgram(program);
+        gl.DeleteFramebuffers(1, &framebuffer);
+        gl.DeleteTextures(1, &target);
+        gl.DeleteVertexArrays(1, &vertexArray);
+        gl.DeleteQueries(2, stamps);
+    }
+
     const GladGLContext& gl;
     GLuint program = 0;
     GLuint target = 0;
@@ -123,8 +137,10 @@ static bool isAccurate(const GladGLContext& gl, uint32_t bits) {
 bool probeTimer(const GladGLContext& gl, uint32_t bits) {
     try {
         return bits != 0 && isAccurate(gl, bits);
-    } catch (const Error&) {
-        return false; // the SDK works without timestamps
+    } catch (const Error& error) {
+        if (error.code != AGAA_ERROR_UNSUPPORTED)
+            throw;
+        return false; // the probe does not compile; the SDK works without timestamps
     }
 }
 

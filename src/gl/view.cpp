@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/plan/planner.h"
+#include "gl/errors.h"
 #include "gl/formats.h"
 #include "gl/program.h"
 
@@ -32,6 +33,7 @@ View::View(Context& owner, Plan framePlan)
         context.checkErrors("creating the view");
     } catch (...) {
         destroy();
+        discardErrors(context.gl);
         throw;
     }
 }
@@ -56,6 +58,7 @@ Compiled View::compile(const Pass& pass, size_t) {
         context.checkErrors("compiling a pass"); // before a frame uses the program
     } catch (...) {
         context.gl.DeleteProgram(GLuint(compiled.program));
+        discardErrors(context.gl);
         throw;
     }
     return compiled;
@@ -77,7 +80,7 @@ void View::createFramebuffer(size_t index) {
     const Pass& pass = plan.passes[index];
     const GladGLContext& gl = context.gl;
     gl.CreateFramebuffers(1, &framebuffers[index]);
-    const GLuint framebuffer = framebuffers[index];
+    const GLuint framebuffer = requireObject(gl, framebuffers[index], "glCreateFramebuffers");
     context.label(GL_FRAMEBUFFER, framebuffer, "agaa " + pass.name);
     std::vector<GLenum> buffers;
     for (const ColorAttachment& color : hostPasses[index].colors) {
@@ -108,7 +111,42 @@ void View::createFramebuffer(size_t index) {
                                             pass.name.c_str(), status));
 }
 
-// OpenGL defines no standard sample locations. glGetMultisamplefv returns those of the bound framebuffer.
+// Reads the sample locations of a framebuffer. glGetMultisamplefv returns those of the bound framebuffer.
+static void readLocations(const GladGLContext& gl, GLuint framebuffer, std::vector<SamplePosition>& texel) {
+    GLint bound = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    for (size_t i = 0; i < texel.size(); ++i)
+        gl.GetMultisamplefv(GL_SAMPLE_POSITION, GLuint(i), &texel[i].x);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
+}
+
+namespace {
+
+// A framebuffer with multisampled texels, for plans without a host pass.
+struct SampledTarget {
+    SampledTarget(const GladGLContext& context, uint32_t samples) : gl(context) {
+        gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &texture);
+        gl.CreateFramebuffers(1, &framebuffer);
+        if (!texture || !framebuffer)
+            return;
+        gl.TextureStorage2DMultisample(texture, GLsizei(samples), GL_RGBA8, 1, 1, GL_TRUE);
+        gl.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
+    }
+    ~SampledTarget() {
+        gl.DeleteFramebuffers(1, &framebuffer);
+        gl.DeleteTextures(1, &texture);
+    }
+    SampledTarget(const SampledTarget&) = delete;
+    SampledTarget& operator=(const SampledTarget&) = delete;
+
+    const GladGLContext& gl;
+    GLuint framebuffer = 0, texture = 0;
+};
+
+} // namespace
+
+// OpenGL defines no standard sample locations.
 SamplePositions View::readPositions() const {
     if (!plan.view.samplePositions.empty())
         return samplePositions(plan.view.samplePositions);
@@ -118,24 +156,13 @@ SamplePositions View::readPositions() const {
         return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
     const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(),
                                    [](const Pass& pass) { return pass.kind() == PassKind::HostDraw; });
-    GLuint framebuffer = 0, texture = 0; // the texture exists only if the plan has no host pass
     if (draw != plan.passes.end()) {
-        framebuffer = framebuffers[size_t(draw - plan.passes.begin())];
+        readLocations(gl, framebuffers[size_t(draw - plan.passes.begin())], texel);
     } else {
-        gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &texture);
-        gl.TextureStorage2DMultisample(texture, GLsizei(plan.view.hwSamples), GL_RGBA8, 1, 1, GL_TRUE);
-        gl.CreateFramebuffers(1, &framebuffer);
-        gl.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
+        const SampledTarget target(gl, plan.view.hwSamples);
+        requireObject(gl, target.texture, "glCreateTextures");
+        readLocations(gl, requireObject(gl, target.framebuffer, "glCreateFramebuffers"), texel);
     }
-    GLint bound = 0;
-    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    for (uint32_t i = 0; i < plan.view.hwSamples; ++i)
-        gl.GetMultisamplefv(GL_SAMPLE_POSITION, i, &texel[i].x);
-    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
-    if (texture)
-        gl.DeleteFramebuffers(1, &framebuffer);
-    gl.DeleteTextures(1, &texture);
     return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
 }
 

@@ -60,6 +60,11 @@ class Backend(unittest.TestCase):
             json_path, junit_path = pathlib.Path(folder) / "r.json", pathlib.Path(folder) / "r.xml"
             result = run(LIBRARY, "--backend", backend, "--json", str(json_path), "--junit", str(junit_path))
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            counts = [tuple(map(int, pair)) for pair in re.findall(r"survived (\d+) of (\d+) faults", result.stdout)]
+            if counts:
+                survived, injected = map(sum, zip(*counts))
+                print(f"{backend}: survived {survived} of {injected} injected faults", file=sys.stderr)
+                self.assertEqual(survived, injected)
             report = json.loads(json_path.read_text())
             tests = listed("--backend", backend)
             self.assertEqual(sorted(row["name"] for row in report["results"]), sorted(tests))

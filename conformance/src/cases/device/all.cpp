@@ -35,7 +35,7 @@ Suite makeSuite() {
     addFrameArgumentCases(suite);
     addFrameOrderCases(suite);
     addFrameCallbackCases(suite);
-    addVulkanFrameFaultCases(suite);
+    addFrameFaultCases(suite);
     addFrameCountCases(suite);
     addFrameHeaderCases(suite);
     addDrawPassCases(suite);

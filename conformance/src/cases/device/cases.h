@@ -33,7 +33,7 @@ void addLightMemberCases(Suite& suite);
 void addFrameArgumentCases(Suite& suite);
 void addFrameOrderCases(Suite& suite);
 void addFrameCallbackCases(Suite& suite);
-void addVulkanFrameFaultCases(Suite& suite);
+void addFrameFaultCases(Suite& suite);
 void addFrameCountCases(Suite& suite);
 void addFrameHeaderCases(Suite& suite);
 void addDrawPassCases(Suite& suite);

@@ -2,6 +2,7 @@
 #include "cases.h"
 #include "frame_rig.h"
 #include "interposer.h"
+#include "survived.h"
 
 #include "hosts/gl_device.h"
 
@@ -12,13 +13,14 @@ namespace agaa::conformance {
 namespace {
 
 struct Fault {
-    int64_t error;
+    int64_t error; // 0: OpenGL creates no object and reports no error
     AgaaResult expected;
 };
 
 struct Faults {
     Test& test;
-    const Fault& fault;
+    std::vector<Fault> faults; // the nth fault is the element n % size
+    bool hasHostText = false;  // programs contain text of the host
     bool isVulkan = test.device().backend() == Backend::Vulkan;
     std::unique_ptr<Interposer> api = makeInterposer(test.device());
 
@@ -30,34 +32,48 @@ struct Faults {
                                                objectsText(before) + ".");
     }
     // Repeats the call while the nth function fails, for n from 1 until none fails. A failed call must leave no
-    // objects.
+    // objects. The last call must succeed.
     void forEach(const std::string& function, LogRecorder& log, const std::function<AgaaResult()>& call,
-                 const std::function<void(const std::string&)>& after) const {
+                 const std::function<void(const std::string&)>& after, const std::string& with = "") const {
         const std::map<std::string, int64_t> before = api->objects;
+        Survived survived;
         for (uint32_t n = 1;; ++n) {
+            const Fault& fault = faults[n % faults.size()];
             api->failAt(n, fault.error);
             const AgaaResult result = call();
             const std::string failed = api->failed();
             api->failAt(0, 0);
             if (failed.empty()) {
-                test.result(result, AGAA_OK, function + " after " + std::to_string(n - 1) + " calls that failed");
-                test.check(n > 1, function + " calls no function that can fail.");
+                test.result(result, AGAA_OK,
+                            function + with + " after " + std::to_string(n - 1) + " calls that failed");
+                test.check(n > 1, function + with + " calls no function that can fail.");
+                survived.print(test, function + with);
                 return;
             }
-            const std::string what = function + ", where the function " + std::to_string(n) + ", " + failed +
+            const size_t failures = test.failures().size();
+            const std::string what = function + with + ", where the function " + std::to_string(n) + ", " + failed +
                                      ", fails with the error " + std::to_string(fault.error);
             // OpenGL may report an error in a later call than the failed one.
-            expectRefused(test, result, fault.expected, log, function, what, isVulkan ? failed : "");
+            expectRefused(test, result, expected(fault, failed, result), log, function, what, isVulkan ? failed : "");
             expectObjects(before, what);
             if (!isVulkan)
                 test.device().takeMessages(); // removes messages about objects without memory
             after(what);
+            survived.count(test, failures);
         }
+    }
+
+private:
+    // A driver that does not compile a program need not be out of memory. Text of the host is blamed first.
+    AgaaResult expected(const Fault& fault, const std::string& failed, AgaaResult result) const {
+        if (fault.error != 0 || (failed != "glCompileShader" && failed != "glLinkProgram"))
+            return fault.expected;
+        return hasHostText && result == AGAA_ERROR_INVALID_ARGUMENT ? result : AGAA_ERROR_DEVICE;
     }
 };
 
-void testContext(Test& test, const Fault& fault) {
-    const Faults faults{test, fault};
+void testContext(Test& test, const std::vector<Fault>& list) {
+    const Faults faults{test, list};
     const std::string function = apiName(test.device(), "CreateContext");
     LogRecorder log;
     AgaaContext context = untouchedHandle<AgaaContext>();
@@ -78,8 +94,8 @@ void testContext(Test& test, const Fault& fault) {
 }
 
 // The view has all kinds of objects: times, shadows, and a pass of each kind.
-void testView(Test& test, const Fault& fault) {
-    const Faults faults{test, fault};
+void testView(Test& test, const std::vector<Fault>& list) {
+    const Faults faults{test, list};
     const std::string function = apiName(test.device(), "CreateView");
     ScopedContext context(test, faults.chain());
     ViewDescription description(&test.device());
@@ -99,8 +115,8 @@ void testView(Test& test, const Fault& fault) {
 }
 
 // A frame shows the same image with and without the variant.
-void testPrepare(Test& test, const Fault& fault) {
-    const Faults faults{test, fault};
+void testPrepare(Test& test, const std::vector<Fault>& list) {
+    const Faults faults{test, list};
     Rig rig(test, {}, faults.chain());
     const Image image = rig.render();
     AgaaSceneFacts facts = rig.description().facts;
@@ -114,8 +130,8 @@ void testPrepare(Test& test, const Fault& fault) {
     expectNextFrame(rig, image, "agaaPrepareVariants after failures");
 }
 
-void testResize(Test& test, const Fault& fault) {
-    const Faults faults{test, fault};
+void testResize(Test& test, const std::vector<Fault>& list) {
+    const Faults faults{test, list};
     Rig rig(test, {}, faults.chain());
     const Image image = rig.render();
     // A frame takes most of the time, and Vulkan has many functions.
@@ -132,6 +148,43 @@ void testResize(Test& test, const Fault& fault) {
     expectNextFrame(rig, image, "agaaResizeView back");
 }
 
+// Every technique, in views of 16 x 16 pixels of one context. The errors alternate. The view that is created in the end
+// shows the scene.
+void testTechniques(Test& test, const std::vector<Fault>& list) {
+    Faults faults{test, list};
+    ScopedContext context(test, faults.chain());
+    const Scene scene = smallScene(16, 16);
+    for (const std::string& name : techniques(test)) {
+        faults.hasHostText = hasCoverageSamples(name);
+        ViewDescription description(&test.device());
+        setTechnique(description, name, 4);
+        description.desc.width = description.desc.height = 16;
+        description.config.flags |= AGAA_CONFIG_TIMESTAMPS;
+        description.facts.shadowMapCount = 1;
+        AgaaView view = untouchedHandle<AgaaView>();
+        const std::map<std::string, int64_t> before = faults.api->objects;
+        faults.forEach(
+            apiName(test.device(), "CreateView"), context.log,
+            [&] { return test.device().createView(test.sdk, context.get(), &description.desc, &view); },
+            [&](const std::string& what) {
+                test.check(view == untouchedHandle<AgaaView>(), what + ", changes outView.");
+            },
+            " of \"" + name + "\"");
+        if (view == untouchedHandle<AgaaView>())
+            continue;
+        expectNoMessages(test, "creating a view of " + name);
+        test.device().setOutput(16, 16);
+        test.device().prepare(test.sdk, view);
+        AgaaFrame frame = pixelFrame(test.device(), description, 1);
+        test.requireOk(test.device().record(test.sdk, view, frame, scene), "a frame of " + name + " after faults");
+        const float back[] = {0.5f, 0.5f, 0.5f};
+        expectColor(test, test.device().readOutput(), 16, {1, 1, 3, 15}, back, 0.01f, name + " after faults");
+        test.device().forget(view);
+        test.sdk.agaaDestroyView(view);
+        faults.expectObjects(before, "agaaDestroyView of " + name);
+    }
+}
+
 } // namespace
 
 void addFaultCases(Suite& suite) {
@@ -140,14 +193,22 @@ void addFaultCases(Suite& suite) {
     constexpr Fault outOfDeviceMemory = {VK_ERROR_OUT_OF_DEVICE_MEMORY, AGAA_ERROR_OUT_OF_MEMORY};
     constexpr Fault failure = {GL_INVALID_OPERATION, AGAA_ERROR_DEVICE};
     constexpr Fault outOfMemory = {GL_OUT_OF_MEMORY, AGAA_ERROR_OUT_OF_MEMORY};
-    using Run = void (*)(Test&, const Fault&);
+    using Run = void (*)(Test&, const std::vector<Fault>&);
     const auto add = [&](const std::string& name, Backend backend, Run run, const Fault& fault) {
-        suite.add(name, {backend}, [=](Test& test) { run(test, fault); });
+        suite.add(name, {backend}, [=](Test& test) { run(test, {fault}); });
     };
     add("agaaPrepareVariants/AGAA_ERROR_DEVICE", Backend::Vulkan, testPrepare, deviceLost);
     add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY", Backend::Vulkan, testPrepare, outOfDeviceMemory);
     add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY/vulkan_host_memory", Backend::Vulkan, testPrepare,
         outOfHostMemory);
+    suite.add("agaaVkCreateView/AGAA_ERROR_OUT_OF_MEMORY/techniques", {Backend::Vulkan}, [=](Test& test) {
+        testTechniques(test, {outOfHostMemory, outOfDeviceMemory, deviceLost});
+    });
+    suite.add("agaaGlCreateView/AGAA_ERROR_OUT_OF_MEMORY/techniques", {Backend::OpenGl},
+              [=](Test& test) { testTechniques(test, {outOfMemory}); });
+    suite.add("agaaGlCreateView/AGAA_ERROR_OUT_OF_MEMORY/no_object", {Backend::OpenGl}, [=](Test& test) {
+        testTechniques(test, {{0, AGAA_ERROR_OUT_OF_MEMORY}});
+    });
     struct Row {
         const char *vulkan, *openGl;
         Run run;

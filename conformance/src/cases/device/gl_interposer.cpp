@@ -11,6 +11,9 @@ OpenGlInterposer* OpenGlInterposer::current = nullptr;
 namespace {
 
 bool failsNow(const char* function) { return OpenGlInterposer::current && OpenGlInterposer::current->fails(function); }
+bool failsVisibly(const char* function) {
+    return OpenGlInterposer::current && OpenGlInterposer::current->failsVisibly(function);
+}
 void countNow(const char* kind, int64_t difference) {
     if (OpenGlInterposer::current)
         OpenGlInterposer::current->count(kind, difference);
@@ -22,30 +25,37 @@ template <size_t n> struct Name {
     char text[n];
 };
 
-// ---- functions that allocate -----------------------------------------------------------------------
+// ---- functions that allocate or compile -----------------------------------------------------------------------
 
 template <Name name, class F> struct Allocating;
-template <Name name, class... Arguments> struct Allocating<name, void(APIENTRYP)(Arguments...)> {
-    static inline void(APIENTRYP real)(Arguments...) = nullptr;
-    static void APIENTRY call(Arguments... arguments) {
-        if (!failsNow(name.text))
-            real(arguments...);
-    }
+template <Name name, class R, class... Arguments> struct Allocating<name, R(APIENTRYP)(Arguments...)> {
+    static inline R(APIENTRYP real)(Arguments...) = nullptr;
+    static R APIENTRY call(Arguments... arguments) { return failsNow(name.text) ? R() : real(arguments...); }
+    static R APIENTRY visible(Arguments... arguments) { return failsVisibly(name.text) ? R() : real(arguments...); }
 };
 
 // ---- functions that create and delete objects ------------------------------------------------------
 
-template <Name kind> struct Objects {
+// A call that fails returns names of 0.
+template <Name kind, Name create_> struct Objects {
     static inline void(APIENTRYP realCreate)(GLsizei, GLuint*) = nullptr;
     static inline void(APIENTRYP realCreateOf)(GLenum, GLsizei, GLuint*) = nullptr;
     static inline void(APIENTRYP realDelete)(GLsizei, const GLuint*) = nullptr;
+    static bool fails(GLsizei number, GLuint* names) {
+        const bool isFailing = number > 0 && failsVisibly(create_.text);
+        if (isFailing)
+            std::fill_n(names, number, 0u);
+        else
+            countNow(kind.text, number);
+        return isFailing;
+    }
     static void APIENTRY create(GLsizei number, GLuint* names) {
-        realCreate(number, names);
-        countNow(kind.text, number);
+        if (!fails(number, names))
+            realCreate(number, names);
     }
     static void APIENTRY createOf(GLenum target, GLsizei number, GLuint* names) {
-        realCreateOf(target, number, names);
-        countNow(kind.text, number);
+        if (!fails(number, names))
+            realCreateOf(target, number, names);
     }
     static void APIENTRY destroy(GLsizei number, const GLuint* names) {
         for (GLsizei i = 0; i < number; ++i)
@@ -54,15 +64,19 @@ template <Name kind> struct Objects {
     }
 };
 
-template <Name kind> struct Program {
+template <Name kind, Name create_> struct Program {
     static inline GLuint(APIENTRYP realCreate)() = nullptr;
     static inline GLuint(APIENTRYP realCreateOf)(GLenum) = nullptr;
     static inline void(APIENTRYP realDelete)(GLuint) = nullptr;
     static GLuint APIENTRY create() {
+        if (failsVisibly(create_.text))
+            return 0;
         countNow(kind.text, 1);
         return realCreate();
     }
     static GLuint APIENTRY createOf(GLenum type) {
+        if (failsVisibly(create_.text))
+            return 0;
         countNow(kind.text, 1);
         return realCreateOf(type);
     }
@@ -82,7 +96,8 @@ PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC realStatus = nullptr;
 
 GLenum APIENTRY getError() {
     const uint32_t injected = OpenGlInterposer::current ? OpenGlInterposer::current->takeError() : GL_NO_ERROR;
-    return injected ? injected : realError();
+    const GLenum real = realError();
+    return injected ? injected : real; // OpenGL keeps the first error, so that later ones are lost
 }
 const GLubyte* APIENTRY getString(GLenum name) {
     if (name == GL_VERSION && OpenGlInterposer::current && !OpenGlInterposer::current->version.empty())
@@ -116,11 +131,13 @@ template <class F> AgaaGlFunction replace(F& real, AgaaGlFunction found, F repla
 }
 
 AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
-#define AGAA_ALLOCATING(function, Type)                                                                                \
+#define AGAA_FAILING(function, Type, replacement)                                                                      \
     if (name == function) {                                                                                            \
         using A = Allocating<function, Type>;                                                                          \
-        return replace(A::real, found, A::call);                                                                       \
+        return replace(A::real, found, A::replacement);                                                                \
     }
+#define AGAA_ALLOCATING(function, Type) AGAA_FAILING(function, Type, call)
+#define AGAA_VISIBLE(function, Type) AGAA_FAILING(function, Type, visible)
     AGAA_ALLOCATING("glTextureStorage2D", PFNGLTEXTURESTORAGE2DPROC)
     AGAA_ALLOCATING("glTextureStorage3D", PFNGLTEXTURESTORAGE3DPROC)
     AGAA_ALLOCATING("glTextureStorage2DMultisample", PFNGLTEXTURESTORAGE2DMULTISAMPLEPROC)
@@ -131,12 +148,26 @@ AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
     AGAA_ALLOCATING("glNamedBufferStorage", PFNGLNAMEDBUFFERSTORAGEPROC)
     AGAA_ALLOCATING("glBufferData", PFNGLBUFFERDATAPROC)
     AGAA_ALLOCATING("glBufferStorage", PFNGLBUFFERSTORAGEPROC)
+    AGAA_ALLOCATING("glNamedRenderbufferStorage", PFNGLNAMEDRENDERBUFFERSTORAGEPROC)
+    AGAA_VISIBLE("glCompileShader", PFNGLCOMPILESHADERPROC)
+    AGAA_VISIBLE("glLinkProgram", PFNGLLINKPROGRAMPROC)
+    AGAA_VISIBLE("glMapBuffer", PFNGLMAPBUFFERPROC)
+    AGAA_VISIBLE("glMapBufferRange", PFNGLMAPBUFFERRANGEPROC)
+    AGAA_VISIBLE("glMapNamedBuffer", PFNGLMAPNAMEDBUFFERPROC)
+    AGAA_VISIBLE("glMapNamedBufferRange", PFNGLMAPNAMEDBUFFERRANGEPROC)
+    AGAA_VISIBLE("glFenceSync", PFNGLFENCESYNCPROC)
 #undef AGAA_ALLOCATING
+#undef AGAA_VISIBLE
+#undef AGAA_FAILING
 #define AGAA_OBJECTS(kind, real, replacement)                                                                          \
-    if (name == "glCreate" kind)                                                                                       \
-        return replace(Objects<kind>::real, found, Objects<kind>::replacement);                                        \
-    if (name == "glDelete" kind)                                                                                       \
-        return replace(Objects<kind>::realDelete, found, Objects<kind>::destroy);
+    if (name == "glCreate" kind) {                                                                                     \
+        using O = Objects<kind, "glCreate" kind>;                                                                      \
+        return replace(O::real, found, O::replacement);                                                                \
+    }                                                                                                                  \
+    if (name == "glDelete" kind) {                                                                                     \
+        using O = Objects<kind, "glCreate" kind>;                                                                      \
+        return replace(O::realDelete, found, O::destroy);                                                              \
+    }
     AGAA_OBJECTS("Textures", realCreateOf, createOf)
     AGAA_OBJECTS("Queries", realCreateOf, createOf)
     AGAA_OBJECTS("Buffers", realCreate, create)
@@ -144,15 +175,18 @@ AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
     AGAA_OBJECTS("Renderbuffers", realCreate, create)
     AGAA_OBJECTS("Samplers", realCreate, create)
     AGAA_OBJECTS("VertexArrays", realCreate, create)
+    AGAA_OBJECTS("ProgramPipelines", realCreate, create)
 #undef AGAA_OBJECTS
+    using Programs = Program<"Program", "glCreateProgram">;
+    using Shaders = Program<"Shader", "glCreateShader">;
     if (name == "glCreateProgram")
-        return replace(Program<"Program">::realCreate, found, Program<"Program">::create);
+        return replace(Programs::realCreate, found, Programs::create);
     if (name == "glDeleteProgram")
-        return replace(Program<"Program">::realDelete, found, Program<"Program">::destroy);
+        return replace(Programs::realDelete, found, Programs::destroy);
     if (name == "glCreateShader")
-        return replace(Program<"Shader">::realCreateOf, found, Program<"Shader">::createOf);
+        return replace(Shaders::realCreateOf, found, Shaders::createOf);
     if (name == "glDeleteShader")
-        return replace(Program<"Shader">::realDelete, found, Program<"Shader">::destroy);
+        return replace(Shaders::realDelete, found, Shaders::destroy);
     if (name == "glGetError")
         return replace(realError, found, getError);
     if (name == "glGetString")
@@ -185,6 +219,14 @@ AgaaGlFunction AGAA_CALL OpenGlInterposer::getProcAddr(void* user, const char* n
 }
 
 bool OpenGlInterposer::fails(const char* function) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool isFailing = (error_ != 0 || !remaining_) && mustFail(function);
+    if (isFailing)
+        pending_ = uint32_t(error_);
+    return isFailing;
+}
+
+bool OpenGlInterposer::failsVisibly(const char* function) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const bool isFailing = mustFail(function);
     if (isFailing)

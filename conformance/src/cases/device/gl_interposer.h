@@ -1,12 +1,13 @@
-// An interposer between the SDK and OpenGL. Functions that allocate memory fail, and the context reports changed
-// properties.
+// An interposer between the SDK and OpenGL. Functions that create objects, allocate memory or compile fail, and the
+// context reports changed properties.
 #pragma once
 
 #include "interposer.h"
 
 namespace agaa::conformance {
 
-// A call that fails does nothing, and glGetError returns the error.
+// A call that fails does nothing, and glGetError returns the error. Functions that return a value return 0. If the
+// error is 0, only functions whose failure shows in their results fail.
 class OpenGlInterposer : public Interposer {
 public:
     OpenGlInterposer();
@@ -23,6 +24,7 @@ public:
     // Called by the functions that replace OpenGL's.
     static OpenGlInterposer* current;
     bool fails(const char* function);
+    bool failsVisibly(const char* function);
     uint32_t takeError();
 
 private:

@@ -35,10 +35,8 @@ protected:
     bool mustFail(const char* function);
     std::mutex mutex_; // functions may be called from any thread
     int64_t error_ = 0;
+    uint32_t remaining_ = 0; // calls until the one that fails; 0: none fails
     std::string failed_;
-
-private:
-    uint32_t remaining_ = 0;
 };
 
 // Creates the interposer of the device's API.
