@@ -35,6 +35,7 @@ public:
     // Change the structs that record() passes. Null changes nothing.
     std::function<void(AgaaVkFrame&)> changeVkFrame;
     std::function<void(AgaaGlFrame&)> changeGlFrame;
+    bool discardsCommands = false; // Vulkan: record() discards the commands instead of submitting them
 
     virtual Backend backend() const = 0;
     virtual std::string deviceName() const = 0;

@@ -209,8 +209,8 @@ AGAA_API void AGAA_CALL agaaInitShadow(AgaaShadow* outShadow, size_t structSize)
  *
  * The camera of a frame is that of its first segment. Lights, shadows, ambient light and background are read with
  * AGAA_SEGMENT_SHADING. The device may still run earlier segments while a later one is recorded. If the command
- * buffer of a frame is discarded, the frame counts as completed, and its statistics are undefined: read those of a
- * later frame. */
+ * buffer of a frame is discarded, the frame counts as completed and has no statistics: their functions return
+ * AGAA_NOT_READY until a later frame is completed. Discard all segments of the frame. */
 /* The first geometry pass, into depth or a G-buffer; with AGAA_FETCH_NOT_ALL_DRAWS also the second. */
 #define AGAA_SEGMENT_PREPASS UINT64_C(0x1)
 /* The passes that leave aggregates or surfaces in memory. */

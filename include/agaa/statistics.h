@@ -112,9 +112,9 @@ AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatisti
  * completedFrame   The newest frame that the device is known to have finished.
  * outStatistics    Initialised; unchanged on failure.
  *
- * Returns          AGAA_NOT_READY if there is no such frame; then only the bytes, geometryPasses, and the members from
- *                  variantCount on are written.
- * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ * Returns          AGAA_NOT_READY if there is no such frame, or if its command buffer was discarded; then only the
+ * bytes, geometryPasses, and the members from variantCount on are written. Views without counters and times do not
+ * notice that a command buffer was discarded. Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outStatistics is not initialised
  * Threads          One call at a time per context.
  * OpenGL           The context must be current. */
@@ -165,7 +165,8 @@ AGAA_API void AGAA_CALL agaaInitFrameValidation(AgaaFrameValidation* outValidati
  * completedFrame   The newest frame that the device is known to have finished.
  * outValidation    Initialised; unchanged on failure.
  *
- * Returns          AGAA_NOT_READY if there is no such frame; outValidation is unchanged.
+ * Returns          AGAA_NOT_READY if there is no such frame, or if its command buffer was discarded; outValidation is
+ *                  unchanged.
  * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outValidation is not initialised
  *                  AGAA_ERROR_WRONG_ORDER        the view has no AGAA_CONFIG_COUNTERS
@@ -230,7 +231,8 @@ AGAA_API void AGAA_CALL agaaInitFactReport(AgaaFactReport* outReport, size_t str
  * completedFrame   The newest frame that the device is known to have finished.
  * outReport        Initialised; unchanged on failure.
  *
- * Returns          AGAA_NOT_READY if there is no such frame; outReport is unchanged.
+ * Returns          AGAA_NOT_READY if there is no such frame, or if its command buffer was discarded; outReport is
+ *                  unchanged.
  * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outReport is not initialised
  *                  AGAA_ERROR_WRONG_ORDER        the view has no AGAA_CONFIG_CHECK_FACTS

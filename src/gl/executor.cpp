@@ -178,13 +178,16 @@ static void fillBuffer(const GladGLContext& gl, GLuint buffer, uint64_t bytes, u
         gl.CopyNamedBufferSubData(buffer, buffer, 0, GLintptr(done), GLsizeiptr(std::min(done, bytes - done)));
 }
 
-void View::runTransfer(const Pass& pass, uint32_t slot) {
+void View::runTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot) {
     const GladGLContext& gl = context.gl;
-    if (pass.kind() == PassKind::Fill)
-        fillBuffer(gl, resources->buffer(pass.fill().destination, slot),
-                   pass.fill().bytes ? pass.fill().bytes : plan.resources[pass.fill().destination].bytes,
-                   pass.fill().value);
-    else
+    if (pass.kind() == PassKind::Fill) {
+        const FillPart& fill = pass.fill();
+        const GLuint buffer = resources->buffer(fill.destination, slot);
+        fillBuffer(gl, buffer, fill.bytes ? fill.bytes : plan.resources[fill.destination].bytes, fill.value);
+        const uint32_t stamp = stampOf(frameIndex);
+        if (fill.stampOffset != noStamp)
+            gl.NamedBufferSubData(buffer, GLintptr(fill.stampOffset), sizeof stamp, &stamp);
+    } else
         gl.CopyNamedBufferSubData(resources->buffer(pass.copy().source, slot),
                                   resources->buffer(pass.copy().destination, slot), 0, 0,
                                   GLsizeiptr(plan.resources[pass.copy().source].bytes));
@@ -235,7 +238,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
     }
     case PassKind::Fill:
     case PassKind::Copy:
-        runTransfer(pass, slot);
+        runTransfer(pass, frame.frameIndex, slot);
         break;
     }
     if (clock && step.isLast)

@@ -64,7 +64,7 @@ private:
     void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     GLuint shadowTexture(const Resource& map, const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
-    void runTransfer(const Pass& pass, uint32_t slot);
+    void runTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot);
 
     GLenum outputFormat_ = GL_NONE;
     std::vector<std::byte> upload_; // as large as the largest upload buffer

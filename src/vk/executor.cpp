@@ -3,6 +3,7 @@
 #include "core/frame/frame_checks.h"
 #include "vk/view.h"
 
+#include <cstring>
 #include <new>
 
 namespace agaa::vk {
@@ -98,6 +99,20 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, siz
     context.vk.CmdDispatch(commands, x, y, 1);
 }
 
+// Persistent buffers must be cleared if no frame has cleared them, or if the host discarded the frame that did. While
+// that frame is unfinished, the device is expected to execute it.
+bool View::needsClear(const AgaaFrame& frame) {
+    if (isCleared_)
+        return false;
+    const FrameSequence::Slot* clearing = clearedIn_ ? sequence.find(clearedIn_) : nullptr;
+    if (!clearing)
+        return clearedIn_ == 0;
+    if (clearing->frame > frame.completedFrame)
+        return false;
+    isCleared_ = wasExecuted(*clearing);
+    return !isCleared_;
+}
+
 // Clears persistent buffers to 0. The barrier waits for earlier uses of their memory. No barrier follows: the first use
 // in each frame waits for all commands recorded before.
 void View::clearPersistent(VkCommandBuffer commands) {
@@ -117,15 +132,34 @@ void View::discardClear(const AgaaFrame& frame) {
         clearedIn_ = 0;
 }
 
-void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
-    if (pass.kind() == PassKind::Fill) {
-        context.vk.CmdFillBuffer(commands, resources->buffer(pass.fill().destination, slot), 0,
-                                 pass.fill().bytes ? pass.fill().bytes : VK_WHOLE_SIZE, pass.fill().value);
+// Fills the words before the stamp, the stamp and the words after it. The ranges are disjoint and need no barrier.
+void View::recordFill(const FillPart& fill, uint64_t frameIndex, uint32_t slot, VkCommandBuffer commands) {
+    const VkBuffer buffer = resources->buffer(fill.destination, slot);
+    if (fill.stampOffset == noStamp) {
+        context.vk.CmdFillBuffer(commands, buffer, 0, fill.bytes ? fill.bytes : VK_WHOLE_SIZE, fill.value);
         return;
     }
-    const VkBufferCopy region{0, 0, plan.resources[pass.copy().source].bytes};
-    context.vk.CmdCopyBuffer(commands, resources->buffer(pass.copy().source, slot),
-                             resources->buffer(pass.copy().destination, slot), 1, &region);
+    const uint64_t end = fill.stampOffset + sizeof(uint32_t), bytes = plan.resources[fill.destination].bytes;
+    if (fill.stampOffset > 0)
+        context.vk.CmdFillBuffer(commands, buffer, 0, fill.stampOffset, fill.value);
+    context.vk.CmdFillBuffer(commands, buffer, fill.stampOffset, sizeof(uint32_t), stampOf(frameIndex));
+    if (end < bytes)
+        context.vk.CmdFillBuffer(commands, buffer, end, bytes - end, fill.value);
+}
+
+void View::recordTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot, VkCommandBuffer commands) {
+    ResourceId destination = noResource;
+    if (pass.kind() == PassKind::Fill) {
+        destination = pass.fill().destination;
+        recordFill(pass.fill(), frameIndex, slot, commands);
+    } else {
+        destination = pass.copy().destination;
+        const VkBufferCopy region{0, 0, plan.resources[pass.copy().source].bytes};
+        context.vk.CmdCopyBuffer(commands, resources->buffer(pass.copy().source, slot),
+                                 resources->buffer(destination, slot), 1, &region);
+    }
+    if (plan.resources[destination].kind != ResourceKind::ReadbackBuffer)
+        return;
     const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT,
                                  VK_ACCESS_HOST_READ_BIT};
     context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &toHost,
@@ -166,7 +200,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
         break;
     case PassKind::Fill:
     case PassKind::Copy:
-        recordTransfer(pass, slot, commands);
+        recordTransfer(pass, frame.frameIndex, slot, commands);
         break;
     }
     if (queries && step.isLast)
@@ -185,7 +219,7 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, cons
     if (begins && queries)
         context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
                                      uint32_t(2 * passes.size()));
-    if (begins && clearedIn_ == 0) {
+    if (begins && needsClear(frame)) {
         clearPersistent(commands);
         clearedIn_ = frame.frameIndex;
     }
@@ -232,6 +266,9 @@ AgaaResult View::record(AgaaFrame frame, const AgaaVkFrame& vkFrame) {
         discardClear(frame);
         rethrowAsPartial();
     }
+    // The device has finished with the slot. If the host discards the commands, no stamp will follow this 0.
+    if (begins && plan.stamps != noResource)
+        std::memset(resources->mapped(plan.stamps, slot) + plan.stampOffset, 0, sizeof(uint32_t));
     recorded(frame);
     return AGAA_OK;
 }

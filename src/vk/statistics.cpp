@@ -22,11 +22,14 @@ void View::readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::sp
 std::vector<double> View::readPassTimes(uint32_t slot) const {
     std::vector<double> times;
     std::vector<uint64_t> stamps(2 * passes.size());
-    if (!queries ||
-        context.vk.GetQueryPoolResults(context.device, queries, uint32_t(slot * stamps.size()), uint32_t(stamps.size()),
-                                       stamps.size() * sizeof(uint64_t), stamps.data(), sizeof(uint64_t),
-                                       VK_QUERY_RESULT_64_BIT) != VK_SUCCESS)
+    if (!queries)
         return times;
+    const VkResult result = context.vk.GetQueryPoolResults(context.device, queries, uint32_t(slot * stamps.size()),
+                                                           uint32_t(stamps.size()), stamps.size() * sizeof(uint64_t),
+                                                           stamps.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
+    if (result == VK_NOT_READY)
+        return times;
+    check(result, "vkGetQueryPoolResults");
     for (size_t i = 0; i < passes.size(); ++i)
         times.push_back(double(elapsedTicks(stamps[2 * i], stamps[2 * i + 1], context.timestampBits)) *
                         double(context.timestampPeriod) * 1e-6);

@@ -78,13 +78,16 @@ private:
                     size_t secondary, uint32_t slot, VkCommandBuffer commands);
     void recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);
-    void recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands);
+    void recordFill(const FillPart& fill, uint64_t frameIndex, uint32_t slot, VkCommandBuffer commands);
+    void recordTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot, VkCommandBuffer commands);
+    bool needsClear(const AgaaFrame& frame);
     void clearPersistent(VkCommandBuffer commands);
     void discardClear(const AgaaFrame& frame);
     bool usesHostSet(const Pass& pass) const; // the host provides set 1
     bool timed() const;
 
     uint64_t clearedIn_ = 0; // index of the frame that cleared persistent buffers; 0: none
+    bool isCleared_ = false; // the device executed that frame
 };
 
 } // namespace agaa::vk

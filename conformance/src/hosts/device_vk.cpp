@@ -218,7 +218,7 @@ AgaaResult VulkanDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& 
     if (changeVkFrame)
         changeVkFrame(native);
     const AgaaResult result = sdk.agaaVkRecordFrame(view, &frame, &native);
-    if (result == AGAA_ERROR_PARTIAL)
+    if (result == AGAA_ERROR_PARTIAL || discardsCommands)
         commands_.discard();
     else
         commands_.submit();

@@ -90,6 +90,11 @@ void FrameSequence::abortedAfterExecution(const AgaaFrame& frame) {
     failed(frame);
 }
 
+const FrameSequence::Slot* FrameSequence::find(uint64_t frame) const {
+    const auto found = std::ranges::find(slots_, frame, &Slot::frame);
+    return found == slots_.end() ? nullptr : &*found;
+}
+
 const FrameSequence::Slot* FrameSequence::newest(uint64_t completedFrame) const {
     const Slot* newest = nullptr;
     for (const Slot& slot : slots_)

@@ -40,6 +40,8 @@ public:
     };
     // Returns the newest completely recorded frame up to completedFrame, or null if there is none.
     const Slot* newest(uint64_t completedFrame) const;
+    // Returns the slot that the frame used last, or null if a later frame uses it.
+    const Slot* find(uint64_t frame) const;
     uint32_t indexOf(const Slot& slot) const { return uint32_t(&slot - slots_.data()); }
 
 private:

@@ -42,10 +42,25 @@ void ViewState::recorded(const AgaaFrame& frame) {
 
 CounterBuffer ViewState::readCounters(uint32_t slot) const {
     CounterBuffer counters{};
-    for (ResourceId id = 0; id < plan.resources.size(); ++id)
-        if (plan.resources[id].kind == ResourceKind::ReadbackBuffer)
-            readBuffer(id, slot, 0, std::as_writable_bytes(std::span(&counters, 1)));
+    if (plan.view.hasCounters())
+        readBuffer(plan.stamps, slot, 0, std::as_writable_bytes(std::span(&counters, 1)));
     return counters;
+}
+
+bool ViewState::wasExecuted(const FrameSequence::Slot& slot) const {
+    if (plan.stamps == noResource)
+        return true;
+    uint32_t stamp = 0;
+    readBuffer(plan.stamps, sequence.indexOf(slot), plan.stampOffset, std::as_writable_bytes(std::span(&stamp, 1)));
+    return stamp == stampOf(slot.frame);
+}
+
+const FrameSequence::Slot* ViewState::finished(uint64_t completedFrame) const {
+    const FrameSequence::Slot* newest = sequence.newest(completedFrame);
+    if (!newest)
+        return nullptr;
+    requireDevice();
+    return wasExecuted(*newest) ? newest : nullptr;
 }
 
 void ViewState::checkFrame(AgaaFrame& frame, AgaaSceneFacts& facts) const {
@@ -71,7 +86,7 @@ std::optional<CounterBuffer> ViewState::feedback(const AgaaFrame& frame) const {
     const bool isAsked =
         std::any_of(plan.feedback.begin(), plan.feedback.end(), [](uint32_t counter) { return counter != noCounter; });
     const FrameSequence::Slot* newest = isAsked ? sequence.newest(frame.completedFrame) : nullptr;
-    if (!newest)
+    if (!newest || !wasExecuted(*newest))
         return std::nullopt;
     return readCounters(sequence.indexOf(*newest));
 }

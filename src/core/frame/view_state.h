@@ -41,6 +41,11 @@ public:
     virtual void describeSurface(ResourceId id, void* native) const = 0;
 
     virtual MemoryUse memoryUse() const = 0;
+    // Throws Error if the device is known to be lost.
+    virtual void requireDevice() const {}
+    // Returns the newest completely recorded frame up to completedFrame, or null if there is none, or if the device
+    // did not execute it because the host discarded its commands.
+    const FrameSequence::Slot* finished(uint64_t completedFrame) const;
     // Returns the counters of the frame in this slot, which must have finished; 0 if the plan has no counters.
     CounterBuffer readCounters(uint32_t slot) const;
     // Returns the milliseconds of each pass of the frame in this slot; empty if they are not measured.
@@ -50,7 +55,7 @@ public:
     // Returns the variant that the frame in this slot used.
     const Variant& variantIn(uint32_t slot) const { return *ran_[slot]; }
 
-    // Returns the counters of the newest finished frame, or nothing if there is none or the plan does not read them.
+    // Returns the counters of the newest frame, or nothing if it was discarded or the plan does not read them.
     std::optional<CounterBuffer> feedback(const AgaaFrame& frame) const;
 
     // Creates the state for other settings, in the host's memory.
@@ -85,6 +90,10 @@ protected:
     void checkFrame(AgaaFrame& frame, AgaaSceneFacts& facts) const;
     // Writes the upload buffers that the frame's segments read.
     void uploadFrame(const AgaaFrame& frame, uint32_t slot);
+
+    // Returns whether the device executed the frame of the slot, which must have finished. Plans without stamps cannot
+    // tell: the result is true.
+    bool wasExecuted(const FrameSequence::Slot& slot) const;
 
     void addVariant(const Plan& variantPlan);
     void recorded(const AgaaFrame& frame); // remembers its variant

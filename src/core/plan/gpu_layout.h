@@ -72,12 +72,15 @@ enum Counter : uint32_t {
 };
 
 struct CounterBuffer {
-    uint32_t counts[counterCount][2]; // by Counter; low word first
-    uint32_t invalidPixels;           // found; the first of them follow
-    uint32_t padding;
+    uint32_t counts[counterCount][2];                                   // by Counter; low word first
+    uint32_t invalidPixels;                                             // found; the first of them follow
+    uint32_t stamp;                                                     // stampOf() the frame; padding in shaders
     uint32_t pixels[AGAA_MAX_INVALID_PIXELS][AGAA_INVALID_PIXEL_WORDS]; // AgaaInvalidPixel without its end
 };
 static_assert(sizeof(CounterBuffer) == 4 * (2 * counterCount + 2 + AGAA_INVALID_PIXEL_WORDS * AGAA_MAX_INVALID_PIXELS));
 static_assert(offsetof(AgaaInvalidPixel, reserved) == sizeof(CounterBuffer::pixels[0]));
+
+// Returns the word that marks the statistics of a frame; never 0.
+constexpr uint32_t stampOf(uint64_t frameIndex) { return uint32_t(frameIndex % ~0u) + 1; }
 
 } // namespace agaa

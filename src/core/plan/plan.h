@@ -178,11 +178,15 @@ struct ComputePart {
     std::string hostCodeExtensions; // lines that precede all other text
 };
 
+inline constexpr uint64_t noStamp = ~UINT64_C(0);
+
 // The part of a pass that fills a buffer.
 struct FillPart {
     ResourceId destination = noResource;
     uint32_t value = 0; // of each word
     uint64_t bytes = 0; // from the beginning, a multiple of 4; 0: all
+    // The byte of the word that receives stampOf() the frame in place of the value, or noStamp. Without `bytes` only.
+    uint64_t stampOffset = noStamp;
 };
 
 // The part of a pass that copies a whole buffer.
@@ -246,6 +250,10 @@ struct Plan {
     // Counters of the newest finished frame whose low words are frame constants (feedback0 to feedback2): values of
     // Counter, or noCounter. They are 0 before the first frame has finished and without AGAA_CONFIG_COUNTERS.
     std::array<uint32_t, 3> feedback{noCounter, noCounter, noCounter};
+    // The read-back buffer that receives stampOf() each frame that the device executes, and the byte of the stamp;
+    // noResource if neither counters, nor times, nor persistent buffers need it.
+    ResourceId stamps = noResource;
+    uint64_t stampOffset = 0;
     uint32_t bytesPerAggregate = 0;
     uint64_t fragmentCapacity = 0; // of the lists of all pixels together
     uint32_t payloadWords = 0;     // of a fragment, in addition to id, next fragment and coverage

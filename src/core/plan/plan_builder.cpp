@@ -31,7 +31,8 @@ PlanBuilder::PlanBuilder(ResolvedView view, const AgaaDeviceCaps& caps, uint32_t
                          .kind = ResourceKind::SmallBuffer,
                          .format = Format::Buffer,
                          .bytes = sizeof(CounterBuffer)});
-        fill("clear counters", AGAA_STAGE_OTHER, counters_, AGAA_SEGMENT_PREPASS);
+        fill("clear counters", AGAA_STAGE_OTHER, counters_, AGAA_SEGMENT_PREPASS).fill().stampOffset =
+            offsetof(CounterBuffer, stamp);
     }
 }
 
@@ -310,8 +311,10 @@ void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
 }
 
 void PlanBuilder::copyCounters() {
-    if (!counts())
+    if (!counts()) {
+        stampFrame();
         return;
+    }
     const ResourceId readback = add({.name = "counters-readback",
                                      .kind = ResourceKind::ReadbackBuffer,
                                      .format = Format::Buffer,
@@ -322,6 +325,21 @@ void PlanBuilder::copyCounters() {
     pass.segment = AGAA_SEGMENT_SHADING;
     pass.part = CopyPart{.source = counters_, .destination = readback};
     plan.passes.push_back(std::move(pass));
+    plan.stamps = readback;
+    plan.stampOffset = offsetof(CounterBuffer, stamp);
+}
+
+// Marks executed frames in plans without counters.
+void PlanBuilder::stampFrame() {
+    const bool isTimed = plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS;
+    if (!isTimed && std::ranges::none_of(plan.resources, &Resource::isPersistent))
+        return;
+    plan.stamps = add({.name = "frame-stamp",
+                       .kind = ResourceKind::ReadbackBuffer,
+                       .format = Format::Buffer,
+                       .bytes = sizeof(uint32_t),
+                       .copies = framesInFlight_});
+    fill("stamp frame", AGAA_STAGE_OTHER, plan.stamps, AGAA_SEGMENT_SHADING).fill().stampOffset = 0;
 }
 
 void PlanBuilder::findLifetimes() {

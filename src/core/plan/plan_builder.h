@@ -72,6 +72,7 @@ public:
     // Binds the image that agaa_writeOutput() writes, by default the output, and with AGAA_VIEW_COMPOSITE the
     // background.
     void bindOutput(Pass& pass, ResourceId image = noResource);
+    // Adds the last pass: it lets the CPU read the counters and see that the device executed the frame.
     void copyCounters();
     void effect(const char* name) { plan.effects.push_back(name); }
     void note(std::string text) { plan.notes.push_back(std::move(text)); }
@@ -82,8 +83,9 @@ private:
     bool isSwitchedOn(Switch which) const;
     bool variantHas(uint64_t fact) const { return plan.view.variantFacts.flags & fact; }
     uint32_t variantLitShadows() const; // among the shadows of the variant
-    void specialiseForVariant();        // disables effects that the variant lacks
-    uint32_t listLength() const;        // primitives that a workgroup processes at a time
+    void stampFrame();
+    void specialiseForVariant(); // disables effects that the variant lacks
+    uint32_t listLength() const; // primitives that a workgroup processes at a time
     void checkLimits() const;
     static void addHostCode(Pass& pass, const HostText& text, const char* origin);
     void bindShadows(Pass& pass);

@@ -147,7 +147,7 @@ AgaaResult factReport(const ViewState& view, uint64_t completedFrame, AgaaFactRe
     const Plan& plan = view.plan;
     require(plan.view.config.flags & AGAA_CONFIG_CHECK_FACTS, AGAA_ERROR_WRONG_ORDER,
             "the view was created without AGAA_CONFIG_CHECK_FACTS.");
-    const FrameSequence::Slot* newest = view.sequence.newest(completedFrame);
+    const FrameSequence::Slot* newest = view.finished(completedFrame);
     if (!newest)
         return AGAA_NOT_READY;
     out = reportOf(plan, *newest, view.readCounters(view.sequence.indexOf(*newest)));

@@ -23,7 +23,7 @@ AgaaCounters countersOf(const CounterBuffer& source) {
 
 AgaaResult frameStatistics(const ViewState& view, uint64_t completedFrame, AgaaFrameStatistics& out) {
     const Plan& plan = view.plan;
-    const FrameSequence::Slot* newest = view.sequence.newest(completedFrame);
+    const FrameSequence::Slot* newest = view.finished(completedFrame);
     const MemoryUse memory = view.memoryUse();
     out.payloadBytes = memory.payload;
     out.driverBytes = memory.driver;

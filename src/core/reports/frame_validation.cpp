@@ -57,7 +57,7 @@ AgaaResult frameValidation(const ViewState& view, uint64_t completedFrame, AgaaF
     const Plan& plan = view.plan;
     require(plan.view.config.flags & AGAA_CONFIG_COUNTERS, AGAA_ERROR_WRONG_ORDER,
             "the view was created without AGAA_CONFIG_COUNTERS.");
-    const FrameSequence::Slot* newest = view.sequence.newest(completedFrame);
+    const FrameSequence::Slot* newest = view.finished(completedFrame);
     if (!newest)
         return AGAA_NOT_READY;
     const CounterBuffer buffer = view.readCounters(view.sequence.indexOf(*newest));

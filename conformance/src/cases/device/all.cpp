@@ -35,6 +35,7 @@ Suite makeSuite() {
     addFrameArgumentCases(suite);
     addFrameOrderCases(suite);
     addFrameCallbackCases(suite);
+    addDiscardedFrameCases(suite);
     addFrameFaultCases(suite);
     addFrameCountCases(suite);
     addFrameHeaderCases(suite);

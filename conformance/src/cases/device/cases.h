@@ -33,6 +33,7 @@ void addLightMemberCases(Suite& suite);
 void addFrameArgumentCases(Suite& suite);
 void addFrameOrderCases(Suite& suite);
 void addFrameCallbackCases(Suite& suite);
+void addDiscardedFrameCases(Suite& suite);
 void addFrameFaultCases(Suite& suite);
 void addFrameCountCases(Suite& suite);
 void addFrameHeaderCases(Suite& suite);
