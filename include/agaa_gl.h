@@ -188,8 +188,8 @@ AGAA_API void AGAA_CALL agaaInitGlProgramCache(AgaaGlProgramCache* outCache, siz
  *                                               one of two callbacks is set, two bindings of one kind are equal, or
  *                                               AgaaGlProgramCache::data is null although size is not 0
  *                 AGAA_ERROR_OUT_OF_RANGE       a member is out of its range or exceeds a limit of the context
- *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is too old or lacks a required
- *                                               extension, or getProcAddr has no pointer of a core function
+ *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is lost, too old or lacks a
+ *                                               required extension, or getProcAddr has no pointer of a core function
  *                 AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
  *                 AGAA_ERROR_DEVICE             an OpenGL function failed
  * Threads         The thread in which the OpenGL context is current.
@@ -304,6 +304,9 @@ AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize
  *                                         paused
  *           AGAA_ERROR_UNSUPPORTED        the output's format does not support image stores
  *           AGAA_ERROR_CALLBACK           a callback failed. The output is unchanged; earlier passes have run
+ *           AGAA_ERROR_DEVICE             the context is lost. If it has GL_LOSE_CONTEXT_ON_RESET, the SDK calls
+ *                                         glGetGraphicsResetStatus, which may report a reset only once: take this
+ *                                         error for a reset
  * Threads   The thread in which the OpenGL context is current.
  * OpenGL    AgaaGlDeviceDesc::statePolicy governs the state. None of these may be active: conditional rendering, a
  *           query of GL_TIME_ELAPSED, rectangles of GL_EXT_window_rectangles. The SDK does not read OpenGL errors:

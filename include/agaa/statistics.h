@@ -116,6 +116,9 @@ AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatisti
  * bytes, geometryPasses, and the members from variantCount on are written. Views without counters and times do not
  * notice that a command buffer was discarded. Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outStatistics is not initialised
+ *                  AGAA_ERROR_OUT_OF_MEMORY      Vulkan: timestamps could not be read
+ *                  AGAA_ERROR_DEVICE             Vulkan: timestamps could not be read, for example because the device
+ *                                                is lost; OpenGL: the context is lost
  * Threads          One call at a time per context.
  * OpenGL           The context must be current. */
 AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
@@ -170,6 +173,7 @@ AGAA_API void AGAA_CALL agaaInitFrameValidation(AgaaFrameValidation* outValidati
  * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outValidation is not initialised
  *                  AGAA_ERROR_WRONG_ORDER        the view has no AGAA_CONFIG_COUNTERS
+ *                  AGAA_ERROR_DEVICE             OpenGL: the context is lost
  * Threads          One call at a time per context.
  * OpenGL           The context must be current. */
 AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
@@ -236,6 +240,7 @@ AGAA_API void AGAA_CALL agaaInitFactReport(AgaaFactReport* outReport, size_t str
  * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outReport is not initialised
  *                  AGAA_ERROR_WRONG_ORDER        the view has no AGAA_CONFIG_CHECK_FACTS
+ *                  AGAA_ERROR_DEVICE             OpenGL: the context is lost
  * Threads          One call at a time per context.
  * OpenGL           The context must be current. */
 AGAA_API AgaaResult AGAA_CALL agaaGetFactReport(AgaaView view, uint64_t completedFrame, AgaaFactReport* outReport);

@@ -60,9 +60,9 @@ uint32_t sampleCounts(const GladGLContext& gl, Format format) {
 
 AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
-    const auto text = [&](GLenum name) { return reinterpret_cast<const char*>(gl.GetString(name)); };
-    std::snprintf(caps.deviceName, sizeof caps.deviceName, "%.127s", text(GL_RENDERER));
-    std::snprintf(caps.driverName, sizeof caps.driverName, "%.60s %.60s", text(GL_VENDOR), text(GL_VERSION));
+    std::snprintf(caps.deviceName, sizeof caps.deviceName, "%.127s", textOf(gl, GL_RENDERER).c_str());
+    std::snprintf(caps.driverName, sizeof caps.driverName, "%.60s %.60s", textOf(gl, GL_VENDOR).c_str(),
+                  textOf(gl, GL_VERSION).c_str());
     GLint viewport[2] = {0, 0};
     gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
     caps.maxImageSize =

@@ -26,7 +26,7 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
             return function;
         },
         &loader);
-    require(version != 0, AGAA_ERROR_UNSUPPORTED, "no OpenGL context is current.");
+    require(version != 0, AGAA_ERROR_UNSUPPORTED, "no OpenGL context is current, or it is lost.");
     if (!gl.VERSION_4_3)
         fail(AGAA_ERROR_UNSUPPORTED, format("the context is OpenGL %d.%d; 4.3 is needed.", GLAD_VERSION_MAJOR(version),
                                             GLAD_VERSION_MINOR(version)));
@@ -35,6 +35,11 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
     if (!loader.missing.empty())
         fail(AGAA_ERROR_UNSUPPORTED, "getProcAddr has no " + loader.missing + ".");
     return gl;
+}
+
+std::string textOf(const GladGLContext& gl, GLenum name) {
+    const GLubyte* text = gl.GetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "";
 }
 
 static StateScope scopeOf(const HostDialect& dialect) {
@@ -95,11 +100,18 @@ static void limitToImages(const GladGLContext& gl, AgaaDeviceCaps& caps) {
     caps.flags |= images >= 2 ? AGAA_DEVICE_FRAGMENT_ATOMICS : 0;
 }
 
+static bool notifiesReset(const GladGLContext& gl) {
+    GLint strategy = GL_NO_RESET_NOTIFICATION;
+    if (gl.VERSION_4_5 || gl.KHR_robustness)
+        gl.GetIntegerv(GL_RESET_NOTIFICATION_STRATEGY, &strategy);
+    return strategy == GL_LOSE_CONTEXT_ON_RESET;
+}
+
 // Identifies the driver: program binaries are loaded only by the driver that wrote them.
 static std::string driverOf(const GladGLContext& gl) {
     std::string driver;
     for (const GLenum name : {GL_VENDOR, GL_RENDERER, GL_VERSION, GL_SHADING_LANGUAGE_VERSION})
-        driver += std::string(reinterpret_cast<const char*>(gl.GetString(name))) + '\n';
+        driver += textOf(gl, name) + '\n';
     return driver;
 }
 
@@ -123,6 +135,8 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc,
     dialect.constants = AgaaGlConstants(desc.constants);
     dialect.hostOutputs = desc.outputs == AGAA_GL_OUTPUTS_HOST;
     std::copy_n(desc.bindings, hostBindingCount, dialect.bindings.begin());
+    notifiesReset_ = notifiesReset(gl);
+    requireAlive();
     clearHostErrors("agaaGlCreateContext");
     caps = queryCaps(gl);
     if (dialect.hostOutputs) // outputs that the host declares cannot be read
@@ -226,6 +240,15 @@ void Context::clearHostErrors(const char* call, GLenum ours) const {
         else
             ours = GL_NO_ERROR;
     }
+}
+
+void Context::requireAlive() {
+    // The value stays if the context is lost or not current, because its functions then have no effect (OpenGL 4.5,
+    // 2.3.2).
+    GLint size = -1;
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
+    isLost_ = isLost_ || (notifiesReset_ && gl.GetGraphicsResetStatus() != GL_NO_ERROR);
+    require(!isLost_ && size != -1, AGAA_ERROR_DEVICE, "the OpenGL context is lost, or not current.");
 }
 
 void Context::checkErrors(const char* what) const { gl::checkErrors(gl, what); }

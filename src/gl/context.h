@@ -17,6 +17,8 @@ namespace agaa::gl {
 // Loads the functions of the current context. Throws AGAA_ERROR_UNSUPPORTED if no context is current or its version is
 // too low.
 GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user);
+// Returns glGetString(); an empty text if the context is lost.
+std::string textOf(const GladGLContext& gl, GLenum name);
 AgaaDeviceCaps queryCaps(const GladGLContext& gl);
 
 class Context : public AgaaContext_T {
@@ -29,6 +31,8 @@ public:
     void label(GLenum kind, GLuint name, const std::string& text) const;
     // Logs and clears pending errors of the host. One error of the kind `ours` is cleared without a message.
     void clearHostErrors(const char* call, GLenum ours = GL_NO_ERROR) const;
+    // Throws if the OpenGL context is lost or not current. A lost context stays lost: some report it only once.
+    void requireAlive();
     // Throws if an OpenGL call since clearHostErrors() failed.
     void checkErrors(const char* what) const;
 
@@ -55,6 +59,9 @@ public:
 private:
     void createObjects();
     void destroyObjects();
+
+    bool notifiesReset_ = false; // the context was created with GL_LOSE_CONTEXT_ON_RESET
+    bool isLost_ = false;
 };
 
 } // namespace agaa::gl

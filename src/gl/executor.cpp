@@ -306,6 +306,7 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const V
 AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
     AgaaSceneFacts facts;
     checkFrame(frame, facts);
+    context.requireAlive();
     checkContextState();
     outputFormat_ = checkTarget(frame, glFrame);
     const uint32_t slot = sequence.slotOf(frame);

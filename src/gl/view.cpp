@@ -17,6 +17,7 @@ View::View(Context& owner, Plan framePlan)
     : ViewState(owner, std::move(framePlan)), context(owner), barriers(plan.resources.size()) {
     require(plan.view.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
+    context.requireAlive();
     uint64_t largest = 0;
     for (const Resource& resource : plan.resources)
         if (resource.content != UploadContent::None)
@@ -65,6 +66,7 @@ Compiled View::compile(const Pass& pass, size_t) {
 }
 
 void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
+    context.requireAlive();
     context.clearHostErrors("agaaPrepareVariants");
     ViewState::prepare(settings, facts);
 }
@@ -106,9 +108,11 @@ void View::createFramebuffer(size_t index) {
     gl.NamedFramebufferDrawBuffers(framebuffer, GLsizei(buffers.size()), buffers.data());
     gl.NamedFramebufferReadBuffer(framebuffer, buffers[0]);
     const GLenum status = gl.CheckNamedFramebufferStatus(framebuffer, GL_DRAW_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        fail(AGAA_ERROR_UNSUPPORTED, format("the driver cannot draw to the targets of the pass \"%s\": status 0x%04X.",
-                                            pass.name.c_str(), status));
+    if (status == GL_FRAMEBUFFER_COMPLETE)
+        return;
+    context.checkErrors("creating a framebuffer"); // the status is 0 after an error
+    fail(AGAA_ERROR_UNSUPPORTED,
+         format("the driver cannot draw to the targets of the pass \"%s\": status 0x%04X.", pass.name.c_str(), status));
 }
 
 // Reads the sample locations of a framebuffer. glGetMultisamplefv returns those of the bound framebuffer.

@@ -21,6 +21,7 @@ public:
     void prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) override;
     AgaaResult record(AgaaFrame frame, const AgaaGlFrame& glFrame);
 
+    void requireDevice() const override { context.requireAlive(); }
     MemoryUse memoryUse() const override;
     const StructRow& drawPassRow() const override;
     const StructRow& surfaceRow() const override;

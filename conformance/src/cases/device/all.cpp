@@ -36,6 +36,7 @@ Suite makeSuite() {
     addFrameOrderCases(suite);
     addFrameCallbackCases(suite);
     addDiscardedFrameCases(suite);
+    addLossCases(suite);
     addFrameFaultCases(suite);
     addFrameCountCases(suite);
     addFrameHeaderCases(suite);

@@ -34,6 +34,7 @@ void addFrameArgumentCases(Suite& suite);
 void addFrameOrderCases(Suite& suite);
 void addFrameCallbackCases(Suite& suite);
 void addDiscardedFrameCases(Suite& suite);
+void addLossCases(Suite& suite);
 void addFrameFaultCases(Suite& suite);
 void addFrameCountCases(Suite& suite);
 void addFrameHeaderCases(Suite& suite);

@@ -3,6 +3,7 @@
 #include "hosts/gl_device.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace agaa::conformance {
 
@@ -14,6 +15,7 @@ bool failsNow(const char* function) { return OpenGlInterposer::current && OpenGl
 bool failsVisibly(const char* function) {
     return OpenGlInterposer::current && OpenGlInterposer::current->failsVisibly(function);
 }
+bool isLostNow() { return OpenGlInterposer::current && OpenGlInterposer::current->countsAsLost(); }
 void countNow(const char* kind, int64_t difference) {
     if (OpenGlInterposer::current)
         OpenGlInterposer::current->count(kind, difference);
@@ -30,8 +32,13 @@ template <size_t n> struct Name {
 template <Name name, class F> struct Allocating;
 template <Name name, class R, class... Arguments> struct Allocating<name, R(APIENTRYP)(Arguments...)> {
     static inline R(APIENTRYP real)(Arguments...) = nullptr;
-    static R APIENTRY call(Arguments... arguments) { return failsNow(name.text) ? R() : real(arguments...); }
-    static R APIENTRY visible(Arguments... arguments) { return failsVisibly(name.text) ? R() : real(arguments...); }
+    static R APIENTRY call(Arguments... arguments) {
+        return isLostNow() || failsNow(name.text) ? R() : real(arguments...);
+    }
+    static R APIENTRY visible(Arguments... arguments) {
+        return isLostNow() || failsVisibly(name.text) ? R() : real(arguments...);
+    }
+    static R APIENTRY losable(Arguments... arguments) { return isLostNow() ? R() : real(arguments...); }
 };
 
 // ---- functions that create and delete objects ------------------------------------------------------
@@ -42,6 +49,8 @@ template <Name kind, Name create_> struct Objects {
     static inline void(APIENTRYP realCreateOf)(GLenum, GLsizei, GLuint*) = nullptr;
     static inline void(APIENTRYP realDelete)(GLsizei, const GLuint*) = nullptr;
     static bool fails(GLsizei number, GLuint* names) {
+        if (isLostNow())
+            return true; // the names stay
         const bool isFailing = number > 0 && failsVisibly(create_.text);
         if (isFailing)
             std::fill_n(names, number, 0u);
@@ -69,13 +78,13 @@ template <Name kind, Name create_> struct Program {
     static inline GLuint(APIENTRYP realCreateOf)(GLenum) = nullptr;
     static inline void(APIENTRYP realDelete)(GLuint) = nullptr;
     static GLuint APIENTRY create() {
-        if (failsVisibly(create_.text))
+        if (isLostNow() || failsVisibly(create_.text))
             return 0;
         countNow(kind.text, 1);
         return realCreate();
     }
     static GLuint APIENTRY createOf(GLenum type) {
-        if (failsVisibly(create_.text))
+        if (isLostNow() || failsVisibly(create_.text))
             return 0;
         countNow(kind.text, 1);
         return realCreateOf(type);
@@ -94,24 +103,39 @@ PFNGLGETSTRINGIPROC realStringI = nullptr;
 PFNGLGETINTEGERVPROC realInteger = nullptr;
 PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC realStatus = nullptr;
 
+PFNGLGETGRAPHICSRESETSTATUSPROC realResetStatus = nullptr;
+
+GLenum APIENTRY getResetStatus() {
+    return OpenGlInterposer::current ? std::exchange(OpenGlInterposer::current->resetStatus, 0u) : realResetStatus();
+}
 GLenum APIENTRY getError() {
+    if (isLostNow())
+        return GL_CONTEXT_LOST;
     const uint32_t injected = OpenGlInterposer::current ? OpenGlInterposer::current->takeError() : GL_NO_ERROR;
     const GLenum real = realError();
     return injected ? injected : real; // OpenGL keeps the first error, so that later ones are lost
 }
 const GLubyte* APIENTRY getString(GLenum name) {
+    if (isLostNow())
+        return nullptr;
     if (name == GL_VERSION && OpenGlInterposer::current && !OpenGlInterposer::current->version.empty())
         return reinterpret_cast<const GLubyte*>(OpenGlInterposer::current->version.c_str());
     return realString(name);
 }
 const GLubyte* APIENTRY getStringI(GLenum name, GLuint index) {
+    if (isLostNow())
+        return nullptr;
     const GLubyte* text = realStringI(name, index);
     const bool isHidden = name == GL_EXTENSIONS && text && OpenGlInterposer::current &&
                           OpenGlInterposer::current->hiddenExtension == reinterpret_cast<const char*>(text);
     return isHidden ? reinterpret_cast<const GLubyte*>("GL_AGAA_hidden") : text;
 }
 void APIENTRY getInteger(GLenum name, GLint* values) {
+    if (isLostNow())
+        return;
     realInteger(name, values);
+    if (name == GL_RESET_NOTIFICATION_STRATEGY && OpenGlInterposer::current && OpenGlInterposer::current->notifiesReset)
+        *values = GL_LOSE_CONTEXT_ON_RESET;
     const bool isOther = OpenGlInterposer::current && OpenGlInterposer::current->version.size() > 2;
     if (isOther && name == GL_MAJOR_VERSION)
         *values = OpenGlInterposer::current->version[0] - '0';
@@ -119,7 +143,7 @@ void APIENTRY getInteger(GLenum name, GLint* values) {
         *values = OpenGlInterposer::current->version[2] - '0';
 }
 GLenum APIENTRY checkStatus(GLuint framebuffer, GLenum target) {
-    const GLenum status = realStatus(framebuffer, target);
+    const GLenum status = isLostNow() ? 0 : realStatus(framebuffer, target);
     return OpenGlInterposer::current && !OpenGlInterposer::current->isComplete ? GL_FRAMEBUFFER_UNSUPPORTED : status;
 }
 
@@ -158,7 +182,6 @@ AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
     AGAA_VISIBLE("glFenceSync", PFNGLFENCESYNCPROC)
 #undef AGAA_ALLOCATING
 #undef AGAA_VISIBLE
-#undef AGAA_FAILING
 #define AGAA_OBJECTS(kind, real, replacement)                                                                          \
     if (name == "glCreate" kind) {                                                                                     \
         using O = Objects<kind, "glCreate" kind>;                                                                      \
@@ -189,6 +212,8 @@ AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
         return replace(Shaders::realDelete, found, Shaders::destroy);
     if (name == "glGetError")
         return replace(realError, found, getError);
+    if (name == "glGetGraphicsResetStatus")
+        return replace(realResetStatus, found, getResetStatus);
     if (name == "glGetString")
         return replace(realString, found, getString);
     if (name == "glGetStringi")
@@ -197,6 +222,10 @@ AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
         return replace(realInteger, found, getInteger);
     if (name == "glCheckNamedFramebufferStatus")
         return replace(realStatus, found, checkStatus);
+#define AGAA_LOSABLE(function) AGAA_FAILING("gl" #function, decltype(&gl##function), losable)
+#include "gl_interposer.inc"
+#undef AGAA_LOSABLE
+#undef AGAA_FAILING
     return found;
 }
 
@@ -232,6 +261,11 @@ bool OpenGlInterposer::failsVisibly(const char* function) {
     if (isFailing)
         pending_ = uint32_t(error_);
     return isFailing;
+}
+
+bool OpenGlInterposer::countsAsLost() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return findsLost();
 }
 
 uint32_t OpenGlInterposer::takeError() {

@@ -21,10 +21,14 @@ public:
     std::string missing;         // function that is not found; "*": all functions
     bool isComplete = true;      // false: framebuffers are reported as unsupported
 
+    bool notifiesReset = false; // the context seems to be created with GL_LOSE_CONTEXT_ON_RESET
+    uint32_t resetStatus = 0;   // the next result of glGetGraphicsResetStatus
+
     // Called by the functions that replace OpenGL's.
     static OpenGlInterposer* current;
     bool fails(const char* function);
     bool failsVisibly(const char* function);
+    bool countsAsLost();
     uint32_t takeError();
 
 private:

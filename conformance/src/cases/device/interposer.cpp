@@ -12,6 +12,18 @@ void Interposer::failAt(uint32_t nth, int64_t error) {
     failed_.clear();
 }
 
+void Interposer::loseAt(uint32_t nth) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    callsUntilLoss_ = nth;
+    isLost_ = false;
+}
+
+bool Interposer::findsLost() {
+    if (callsUntilLoss_ && --callsUntilLoss_ == 0)
+        isLost_ = true;
+    return isLost_;
+}
+
 bool Interposer::mustFail(const char* function) {
     called.push_back(function);
     if (!remaining_ || --remaining_)

@@ -233,6 +233,10 @@ AgaaVkFunction AGAA_CALL VulkanInterposer::getProcAddr(void* instance, const cha
 
 bool VulkanInterposer::fails(const char* function, VkResult& error) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (findsLost()) {
+        error = VK_ERROR_DEVICE_LOST;
+        return true;
+    }
     mustFail(function);
     error = VkResult(error_);
     return failed_ == function;
