@@ -97,6 +97,12 @@ public:
 // reason if there is none. The Vulkan device enables the features that agaaVkGetRequirements requires, and
 // geometryShader if available; withOptions also enables the other optional ones.
 std::unique_ptr<Device> makeVulkanDevice(const Functions& sdk, const std::string& name, bool withOptions = false);
+struct OpenGlVersion {
+    int major = 4, minor = 5;
+    bool isCompatibility = false; // the profile
+};
+std::unique_ptr<Device> makeOpenGlDevice(const std::string& name, const OpenGlVersion& version);
+// Takes a core context of OpenGL 4.5, or one of 4.3.
 std::unique_ptr<Device> makeOpenGlDevice(const std::string& name);
 
 // ---- what most tests need ------------------------------------------------------------------------

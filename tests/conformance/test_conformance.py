@@ -55,10 +55,11 @@ class Promises(unittest.TestCase):
 class Backend(unittest.TestCase):
     backend = None
 
-    def check(self, backend):
+    def check(self, backend, patterns="-*/long"):
         with tempfile.TemporaryDirectory() as folder:
             json_path, junit_path = pathlib.Path(folder) / "r.json", pathlib.Path(folder) / "r.xml"
-            result = run(LIBRARY, "--backend", backend, "--json", str(json_path), "--junit", str(junit_path))
+            result = run(LIBRARY, "--backend", backend, "--filter", patterns, "--json", str(json_path), "--junit",
+                         str(junit_path))
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             counts = [tuple(map(int, pair)) for pair in re.findall(r"survived (\d+) of (\d+) faults", result.stdout)]
             if counts:
@@ -66,7 +67,7 @@ class Backend(unittest.TestCase):
                 print(f"{backend}: survived {survived} of {injected} injected faults", file=sys.stderr)
                 self.assertEqual(survived, injected)
             report = json.loads(json_path.read_text())
-            tests = listed("--backend", backend)
+            tests = listed("--backend", backend, "--filter", patterns)
             self.assertEqual(sorted(row["name"] for row in report["results"]), sorted(tests))
             self.assertEqual(report["failed"], 0)
             if backend != "core" and not report["devices"]:
@@ -85,6 +86,13 @@ class Backend(unittest.TestCase):
 
     def test_gl(self):
         self.check("gl")
+
+    def test_vk_long(self):
+        self.check("vk", "*/long")
+
+    def test_gl_versions(self):
+        """On the version of MESA_GL_VERSION_OVERRIDE."""
+        self.check("gl", "general/techniques/versions")
 
 
 class Program(unittest.TestCase):

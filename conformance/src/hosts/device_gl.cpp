@@ -24,7 +24,7 @@ constexpr Attribute attributes[] = {{3, offsetof(Vertex, position)},  {3, offset
 
 class OpenGlDevice : public Device {
 public:
-    explicit OpenGlDevice(const std::string& name) : api_(name), programs_(mistakes) {
+    OpenGlDevice(const std::string& name, const OpenGlVersion& version) : api_(name, version), programs_(mistakes) {
         glCreateVertexArrays(1, &vertexArray_);
         for (GLuint i = 0; i < std::size(attributes); ++i) {
             glVertexArrayAttribFormat(vertexArray_, i, attributes[i].size, GL_FLOAT, GL_FALSE, attributes[i].offset);
@@ -248,6 +248,16 @@ void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlPr
 
 } // namespace
 
-std::unique_ptr<Device> makeOpenGlDevice(const std::string& name) { return std::make_unique<OpenGlDevice>(name); }
+std::unique_ptr<Device> makeOpenGlDevice(const std::string& name, const OpenGlVersion& version) {
+    return std::make_unique<OpenGlDevice>(name, version);
+}
+
+std::unique_ptr<Device> makeOpenGlDevice(const std::string& name) {
+    try {
+        return makeOpenGlDevice(name, {4, 5, false});
+    } catch (const Skipped&) {
+        return makeOpenGlDevice(name, {4, 3, false});
+    }
+}
 
 } // namespace agaa::conformance

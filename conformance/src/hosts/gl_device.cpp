@@ -44,9 +44,9 @@ CurrentOpenGl::~CurrentOpenGl() {
         eglMakeCurrent(display_, draw_, read_, context_);
 }
 
-OpenGlApi::OpenGlApi(const std::string& name) {
+OpenGlApi::OpenGlApi(const std::string& name, const OpenGlVersion& version) {
     for (const EGLDisplay display : findDisplays()) {
-        if (display == EGL_NO_DISPLAY || !create(display))
+        if (display == EGL_NO_DISPLAY || !create(display, version))
             continue;
         if (textOf(GL_RENDERER).find(name) != std::string::npos)
             break;
@@ -54,7 +54,8 @@ OpenGlApi::OpenGlApi(const std::string& name) {
         context_ = EGL_NO_CONTEXT;
     }
     if (context_ == EGL_NO_CONTEXT)
-        throw Skipped{"EGL has no context of OpenGL 4.5 without a window" +
+        throw Skipped{"EGL has no context of OpenGL " + std::to_string(version.major) + '.' +
+                      std::to_string(version.minor) + " without a window" +
                       (name.empty() ? std::string(".") : ", whose GL_RENDERER contains " + name + ".")};
     deviceName = textOf(GL_RENDERER);
     driverName = textOf(GL_VERSION);
@@ -66,13 +67,14 @@ OpenGlApi::OpenGlApi(const std::string& name) {
 OpenGlApi::~OpenGlApi() { destroy(); }
 
 // Makes the context current.
-bool OpenGlApi::create(EGLDisplay display) {
+bool OpenGlApi::create(EGLDisplay display, const OpenGlVersion& version) {
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
+                                 version.major,
                                  EGL_CONTEXT_MINOR_VERSION,
-                                 5,
+                                 version.minor,
                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 version.isCompatibility ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT
+                                                         : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_CONTEXT_OPENGL_DEBUG,
                                  EGL_TRUE,
                                  EGL_NONE};

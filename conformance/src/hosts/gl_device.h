@@ -25,9 +25,8 @@ private:
 
 class OpenGlApi {
 public:
-    // Creates a core context 4.5 on the first display whose GL_RENDERER contains the name, and makes it current in this
-    // thread.
-    explicit OpenGlApi(const std::string& name);
+    // Creates a context on the first display whose GL_RENDERER contains the name, and makes it current in this thread.
+    OpenGlApi(const std::string& name, const OpenGlVersion& version);
     ~OpenGlApi(); // restores the previous current context
     OpenGlApi(const OpenGlApi&) = delete;
     OpenGlApi& operator=(const OpenGlApi&) = delete;
@@ -38,7 +37,7 @@ public:
     std::string deviceName, driverName;
 
 private:
-    bool create(EGLDisplay display);
+    bool create(EGLDisplay display, const OpenGlVersion& version);
     void destroy() const;
     static void APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                                    const GLchar* text, const void* user);

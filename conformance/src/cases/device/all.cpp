@@ -37,6 +37,7 @@ Suite makeSuite() {
     addFrameCallbackCases(suite);
     addDiscardedFrameCases(suite);
     addLossCases(suite);
+    addDriverBreadthCases(suite);
     addFrameFaultCases(suite);
     addFrameCountCases(suite);
     addFrameHeaderCases(suite);

@@ -160,7 +160,6 @@ void testTechniques(Test& test, const std::vector<Fault>& list) {
         setTechnique(description, name, 4);
         description.desc.width = description.desc.height = 16;
         description.config.flags |= AGAA_CONFIG_TIMESTAMPS;
-        description.facts.shadowMapCount = 1;
         AgaaView view = untouchedHandle<AgaaView>();
         const std::map<std::string, int64_t> before = faults.api->objects;
         faults.forEach(

@@ -112,6 +112,12 @@ void change(VkQueueFamilyProperties& family) {
         VulkanInterposer::current->changeQueueFamily(family);
 }
 
+PFN_vkGetPhysicalDeviceFormatProperties realFormat = nullptr;
+VKAPI_ATTR void VKAPI_CALL formatProperties(VkPhysicalDevice device, VkFormat format, VkFormatProperties* out) {
+    realFormat(device, format, out);
+    if (VulkanInterposer::current && VulkanInterposer::current->changeFormat)
+        VulkanInterposer::current->changeFormat(format, *out);
+}
 VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice device, VkPhysicalDeviceProperties* out) {
     realProperties(device, out);
     change(*out);
@@ -201,6 +207,8 @@ PFN_vkVoidFunction interpose(const std::string& name, PFN_vkVoidFunction found) 
         return replace(realDestroyPipeline, found, destroyPipeline);
     if (name == "vkGetPhysicalDeviceProperties")
         return replace(realProperties, found, properties);
+    if (name == "vkGetPhysicalDeviceFormatProperties")
+        return replace(realFormat, found, formatProperties);
     if (name == "vkGetPhysicalDeviceProperties2")
         return replace(realProperties2, found, properties2);
     if (name == "vkGetPhysicalDeviceQueueFamilyProperties")

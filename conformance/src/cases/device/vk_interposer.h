@@ -27,6 +27,7 @@ public:
     // Change the properties of the device. Null changes nothing.
     std::function<void(VkPhysicalDeviceProperties&)> changeProperties;
     std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // called for each queue family
+    std::function<void(VkFormat, VkFormatProperties&)> changeFormat;
     bool hasImageFormats = true;                                     // false: the device supports images of no format
 
     // Called by the functions that replace Vulkan's.
