@@ -132,18 +132,6 @@ void print(Test& test, const std::string& driver, const Counts& counts) {
                 driver.c_str(), counts.rendered, counts.refused);
 }
 
-// Moves the failures of a test with another device to the test of the suite.
-void runInner(Test& outer, Device& device, const std::function<void(Test&)>& run) {
-    Test inner(outer.sdk, &device);
-    device.takeMessages();
-    try {
-        run(inner);
-    } catch (const Aborted&) {
-    }
-    for (const std::string& failure : inner.failures())
-        outer.check(false, failure);
-}
-
 // ---- Vulkan -----------------------------------------------------------------------------------------
 
 // The features that are left of a Vulkan device.
@@ -226,7 +214,7 @@ constexpr Removal removals[] = {
 // isAlone: each driver lacks one feature only.
 void testLesserDrivers(Test& test, bool isAlone) {
     const std::unique_ptr<Device> device = makeVulkanDevice(test.sdk, test.device().deviceName(), true);
-    runInner(test, *device, [&](Test& inner) {
+    runOn(test, *device, [&](Test& inner) {
         for (const Removal& last : removals) {
             LesserDriver driver(*device);
             for (const Removal& removal : removals) {
@@ -269,7 +257,7 @@ void testVersions(Test& test) {
             continue;
         }
         ++contexts;
-        runInner(test, *device, [&](Test& inner) {
+        runOn(test, *device, [&](Test& inner) {
             OpenGlInterposer api;
             api.version = other.reported;
             ScopedContext context(inner, [&](ContextDescription& d) { api.chainTo(d); });

@@ -125,6 +125,17 @@ void expectNextFrame(Rig& rig, const Image& expected, const std::string& after) 
     rig.context.log.lines.clear();
 }
 
+void runOn(Test& test, Device& device, const std::function<void(Test&)>& run) {
+    Test inner(test.sdk, &device);
+    device.takeMessages();
+    try {
+        run(inner);
+    } catch (const Aborted&) {
+    }
+    for (const std::string& failure : inner.failures())
+        test.check(false, failure);
+}
+
 void addRecordCase(Suite& suite, const std::string& promise, const std::function<void(Test&)>& run) {
     addApiCase(suite, "RecordFrame", promise, run);
 }

@@ -63,6 +63,9 @@ void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, cons
 // Checks the next frame only, because a partial frame may have written the output.
 void expectNextFrame(Rig& rig, const Image& expected, const std::string& after);
 
+// Runs a part of a test on another device.
+void runOn(Test& test, Device& device, const std::function<void(Test&)>& run);
+
 // Adds a test of agaaVk… on Vulkan and of agaaGl… on OpenGL.
 void addRecordCase(Suite& suite, const std::string& promise, const std::function<void(Test&)>& run);
 
