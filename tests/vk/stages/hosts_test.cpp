@@ -284,6 +284,7 @@ TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
         GTEST_SKIP() << "a filter carries ties to pixels around them";
     StageContext context;
     ViewSettings settings = settingsFor(GetParam());
+    settings.config.adaptive.flags = AGAA_ADAPTIVE_GEOMETRY; // the other metric compares pixels with their neighbours
     std::vector<Triangle> scene = randomTriangles({.triangles = 200, .duplicates = 0.1f, .masked = 0.2f}, 14);
     std::vector<Triangle> shuffled = scene;
     for (size_t i = 0; i < scene.size(); ++i)
