@@ -97,7 +97,18 @@ ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
     return s;
 }
 
-glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
+// At most the square of the pixel's width there.
+double ShadingOracle::spreadOf(const std::vector<glm::dvec3>& samples, const glm::dvec3& mean) const {
+    double spread = 0;
+    for (const glm::dvec3& sample : samples)
+        spread += glm::dot(sample - mean, sample - mean) / double(samples.size());
+    const glm::dvec3 axis(frame_.view[2], frame_.view[6], frame_.view[10]);
+    const double scale = constants_.isOrthographic ? 1 : std::fabs(glm::dot(axis, mean));
+    const double width = scale * 2 / (std::fabs(double(constants_.projectionScale[0])) * plan_.view.width);
+    return std::min(spread, width * width);
+}
+
+glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position, double spread,
                                 const std::vector<double>& visibility) const {
     const glm::dvec3 toEye = towardsEye(position, constants_);
     const AgaaConfig& config = plan_.view.config;
@@ -113,12 +124,14 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
         double intensity = 1;
         if (light.type != AGAA_LIGHT_DIRECTIONAL) {
             const glm::dvec3 d = glm::dvec3(light.position[0], light.position[1], light.position[2]) - position;
-            intensity =
-                math_d::agaa_pointAttenuation(glm::dot(d, d), double(light.range), double(light.radius * light.radius));
+            intensity = math_d::agaa_pointAttenuation(math_d::agaa_spreadDistance2(glm::dot(d, d), spread),
+                                                      double(light.range), double(light.radius * light.radius));
             toLight = glm::normalize(d);
             if (light.type == AGAA_LIGHT_SPOT)
                 intensity *= math_d::agaa_spotCone(glm::dot(-toLight, direction), double(light.cosInner),
                                                    double(light.cosOuter));
+            if (spread > 0)
+                toLight = glm::normalize(math_d::agaa_nearestToLight(d, s.normal, spread));
         }
         if (light.shadowMap != AGAA_NO_SHADOW)
             intensity *= visibility[light.shadowMap];
@@ -148,7 +161,7 @@ glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
             visibility.push_back(visibility_(map, at));
             ++shadowTaps_;
         }
-        sum += light(sample(index), at, visibility);
+        sum += light(sample(index), at, 0, visibility);
     }
     events_ += covered;
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
@@ -218,7 +231,8 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
             visibility.push_back(lit);
             shadowTaps_ += taps.size();
         }
-        sum += double(count) * light(aggregate(words, count, towardsEye(mean, constants_)), mean, visibility);
+        sum += double(count) *
+               light(aggregate(words, count, towardsEye(mean, constants_)), mean, spreadOf(places, mean), visibility);
     }
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
     return (sum + background * double(plan_.view.samples - covered)) / double(plan_.view.samples);

@@ -43,7 +43,10 @@ private:
     Shaded aggregate(const uint32_t* words, uint32_t count, const glm::dvec3& toEye) const;
     Shaded sample(size_t index) const;
     glm::dvec3 position(uint32_t x, uint32_t y, uint32_t i) const; // shading space
-    glm::dvec3 light(const Shaded& s, const glm::dvec3& position, const std::vector<double>& visibility) const;
+    // spread: mean squared distance of the samples from the position.
+    glm::dvec3 light(const Shaded& s, const glm::dvec3& position, double spread,
+                     const std::vector<double>& visibility) const;
+    double spreadOf(const std::vector<glm::dvec3>& samples, const glm::dvec3& mean) const;
     // Of an aggregate: the mean of its samples' positions, and where its shadows are looked up.
     std::pair<glm::dvec3, std::vector<glm::dvec3>> shadowTapsOf(const std::vector<glm::dvec3>& samples) const;
     glm::dvec3 perSamplePixel(uint32_t x, uint32_t y) const;

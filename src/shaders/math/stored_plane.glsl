@@ -90,6 +90,17 @@ rvec2 agaa_middleAndHalf(rvec2 range) {
     return rvec2(range.x + range.y, range.y - range.x) * real(0.5);
 }
 
+// Returns the plane flattened around the middle of its range, so that it stays in the range over the whole pixel.
+// Surfaces that merge have such planes: one that leaves the range of a narrow wall would come in front of what hides it.
+agaa_DepthPlane agaa_flattenedPlane(agaa_DepthPlane plane) {
+    const rvec2 depths = agaa_middleAndHalf(plane.range);
+    const real reach = (abs(plane.slope.x) + abs(plane.slope.y)) * real(0.5);
+    agaa_DepthPlane flattened = plane;
+    flattened.depth = depths.x;
+    flattened.slope = plane.slope * (reach > depths.y ? depths.y / reach : real(1.0));
+    return flattened;
+}
+
 rvec3 agaa_storedPlane(agaa_StoredPlane stored) {
     const rvec2 slopes = agaa_storedSlopes(stored.slopes);
     return rvec3(stored.depth, slopes.x, slopes.y);

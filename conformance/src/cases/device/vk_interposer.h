@@ -28,7 +28,7 @@ public:
     std::function<void(VkPhysicalDeviceProperties&)> changeProperties;
     std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // called for each queue family
     std::function<void(VkFormat, VkFormatProperties&)> changeFormat;
-    bool hasImageFormats = true;                                     // false: the device supports images of no format
+    bool hasImageFormats = true; // false: the device supports images of no format
 
     // Called by the functions that replace Vulkan's.
     static VulkanInterposer* current;
