@@ -224,7 +224,8 @@ TYPED_TEST_P(DcaaCases, ExactShowsWhatSurfacesWithoutMergingShow) {
         const Shown exact = this->render(settings, shot);
         const Difference d = compare(exact.rgb, surfaces.rgb);
         std::printf("%u samples: PSNR %.1f dB\n", samples, d.psnr);
-        EXPECT_GE(d.psnr, 75) << "what memory rounds";
+        // Surfaces flatten the planes of triangles that are smaller than a pixel (docs/numerics.md, case 61).
+        EXPECT_GE(d.psnr, 50) << "what memory rounds";
         EXPECT_EQ(exact.counters.fragments, surfaces.counters.fragments);
         EXPECT_EQ(exact.counters.visible, surfaces.counters.visible);
         EXPECT_NEAR(double(exact.counters.shadingEvents), double(surfaces.counters.shadingEvents),

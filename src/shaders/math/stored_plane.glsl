@@ -91,7 +91,8 @@ rvec2 agaa_middleAndHalf(rvec2 range) {
 }
 
 // Returns the plane flattened around the middle of its range, so that it stays in the range over the whole pixel.
-// Surfaces that merge have such planes: one that leaves the range of a narrow wall would come in front of what hides it.
+// Surfaces that merge have such planes: one that leaves the range of a narrow wall would come in front of what hides
+// it.
 agaa_DepthPlane agaa_flattenedPlane(agaa_DepthPlane plane) {
     const rvec2 depths = agaa_middleAndHalf(plane.range);
     const real reach = (abs(plane.slope.x) + abs(plane.slope.y)) * real(0.5);
