@@ -43,7 +43,7 @@ typedef struct AgaaDeviceCaps {
     char deviceName[128];
     char driverName[128];
     uint32_t sampleCounts;    /* bit i: multisampled colour and depth textures with 2^i samples, in the formats that the
-                                 device has; bit 0 is set, and bits above 6 are not. A view with a surface of another
+                                 device has; bits above 6 are not set. A view with a surface of another
                                  format fails with AGAA_ERROR_UNSUPPORTED */
     uint32_t maxImageSize;    /* texels */
     uint64_t maxStorageRange; /* bytes of one storage buffer */

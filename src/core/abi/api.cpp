@@ -33,10 +33,10 @@ AgaaDeviceCaps capsOrIdeal(const AgaaDeviceCaps* caps) {
         return idealDevice();
     const AgaaDeviceCaps known = readStruct(caps);
     checkReserved(known.reserved, "AgaaDeviceCaps::reserved");
-    // Every device has targets of one sample, and none has more than 64.
-    if (!(known.sampleCounts & 1) || known.sampleCounts > 0x7F)
+    // No device has targets of more than 64 samples.
+    if (known.sampleCounts > 0x7F)
         fail(AGAA_ERROR_OUT_OF_RANGE,
-             format("AgaaDeviceCaps::sampleCounts is 0x%x; it has bit 0, and bits up to 6.", known.sampleCounts));
+             format("AgaaDeviceCaps::sampleCounts is 0x%x; it has bits up to 6.", known.sampleCounts));
     checkFlags(known.flags,
                AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |
                    AGAA_DEVICE_DYNAMIC_RENDERING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES |
