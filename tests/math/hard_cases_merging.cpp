@@ -71,7 +71,7 @@ TEST(HardCase51_OrderOfMerging, SortedFragmentsRepeat) {
             s.mask.x |= 1u;
             const float depth = random.rangeF(0, 1);
             s.plane = {depth, random.rangeF(-0.1, 0.1), random.rangeF(-0.1, 0.1)};
-            s.depths = {depth, 0.1f};
+            s.depths = {depth, 0.1f, 0.1f};
             s.normal = glm::vec3(random.hemisphere(0.3));
         }
         std::vector<std::size_t> order(fragments.size());

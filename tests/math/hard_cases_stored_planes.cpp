@@ -38,9 +38,9 @@ double flattenedDepthAt(const agaa_DepthPlane& plane, const glm::dvec2& p) {
 
 // The plane as a surface keeps it, with the samples that it covers.
 agaa_DepthPlane surfacePlane(const agaa_DepthPlane& plane, const glm::vec2& anchor) {
-    const glm::vec2 depths = glm::vec2(plane.range.x + plane.range.y, plane.range.y - plane.range.x) * 0.5f;
-    return math_f::agaa_loadedPlane(
-        math_f::agaa_storePlane({plane.depth, plane.slope.x, plane.slope.y}, depths, anchor), anchor, 1);
+    return math_f::agaa_loadedPlane(math_f::agaa_storePlane({plane.depth, plane.slope.x, plane.slope.y},
+                                                            math_f::agaa_depthsOfRange(plane.range), anchor),
+                                    anchor, false);
 }
 
 agaa_DepthPlane fragmentPlane(agaa_DepthPlane plane) {
@@ -91,7 +91,9 @@ TEST(HardCase61_SmallTriangles, KeepTheirDepths) {
             surface.add(std::abs(double(math_f::agaa_depthAt(kept[0], at)) - truth) / t.extent());
             fragment.add(std::abs(double(math_f::agaa_depthAt(kept[1], at)) - truth) / t.extent());
             figures.naive(std::abs(flattenedDepthAt(plane, glm::dvec2(at)) - truth) / t.extent());
-            figures.ours(std::abs(double(math_f::agaa_depthAt(kept[0], at)) - truth) / t.extent());
+            figures.ours(std::max(std::abs(double(math_f::agaa_depthAt(kept[0], at)) - truth),
+                                  std::abs(double(math_f::agaa_depthAt(kept[1], at)) - truth)) /
+                         t.extent());
             ++count;
         }
     }
@@ -102,7 +104,7 @@ TEST(HardCase61_SmallTriangles, KeepTheirDepths) {
     EXPECT_GT(count, 100000u);
     EXPECT_GT(flattened.sum / double(count), 0.1) << "a plane without a range";
     EXPECT_GT(flattened.most, 0.5);
-    EXPECT_LT(surface.sum / double(count), 0.001) << "half a step of 8 bits, over the triangle";
+    EXPECT_LT(surface.sum / double(count), 0.001) << "rounded slopes and ends of the range";
     EXPECT_LT(fragment.sum / double(count), 5e-5);
     EXPECT_LT(fragment.most, 0.15);
 }
@@ -113,7 +115,7 @@ TEST(HardCase61_SmallTriangles, AreInFrontOfWhatIsBehind) {
     const agaa_DepthPlane plane = t.plane();
     const glm::vec2 left(0.3f, 0), centroid(0.37f, 0);
     EXPECT_NEAR(flattenedDepthAt(plane, glm::dvec2(left)), 0.046, 1e-6);
-    EXPECT_NEAR(double(math_f::agaa_depthAt(surfacePlane(plane, centroid), left)), 0.03, 1e-4);
+    EXPECT_NEAR(double(math_f::agaa_depthAt(surfacePlane(plane, centroid), left)), 0.03, 1e-3);
     EXPECT_NEAR(double(math_f::agaa_depthAt(fragmentPlane(plane), left)), 0.03, 1e-6);
 }
 
@@ -126,31 +128,32 @@ TEST(StoredPlane, StoringAgainChangesNothing) {
         };
         const glm::vec3 plane(random.range(-1, 1), slope(), slope());
         const glm::vec2 anchor(random.range(-0.5, 0.5), random.range(-0.5, 0.5));
-        const glm::vec2 depths(random.range(0, 1), random.below(8) ? random.decades(1e-9, 1) : 0.0);
+        const auto side = [&] { return float(random.below(8) ? random.decades(1e-9, 1) : 0.0); };
+        const glm::vec3 depths(random.range(0, 1), side(), side());
         const auto once = math_f::agaa_storePlane(plane, depths, anchor);
         const auto again =
             math_f::agaa_storePlane(math_f::agaa_storedPlane(once), math_f::agaa_storedDepths(once, anchor), anchor);
         ASSERT_EQ(once.depth, again.depth) << i;
         ASSERT_EQ(once.slopes, again.slopes) << i;
-        const glm::vec2 loaded = math_f::agaa_storedDepths(once, anchor);
-        ASSERT_TRUE(std::isfinite(loaded.x) && std::isfinite(loaded.y) && loaded.y >= 0);
+        const glm::vec3 loaded = math_f::agaa_storedDepths(once, anchor);
+        ASSERT_TRUE(math_f::agaa_isFinite3(loaded) && loaded.y >= 0 && loaded.z >= 0);
         const glm::vec3 kept = math_f::agaa_storedPlane(once);
         const float largest = std::max(std::fabs(plane.y), std::fabs(plane.z));
-        ASSERT_LE(std::fabs(kept.y - plane.y), largest / 255 + 5e-16f) << i;
-        ASSERT_LE(std::fabs(kept.z - plane.z), largest / 255 + 5e-16f) << i;
+        ASSERT_LE(std::fabs(kept.y - plane.y), largest / 126 + 5e-16f) << i;
+        ASSERT_LE(std::fabs(kept.z - plane.z), largest / 126 + 5e-16f) << i;
     }
 }
 
-// The range that is kept holds the whole range, or the whole plane.
-TEST(StoredPlane, RangesRoundOutwards) {
+// Sides of surfaces are at most a quarter of an octave off; ranges of fragments hold the whole range.
+TEST(StoredPlane, RangesAreNearTheirs) {
     Random random(63);
     for (int i = 0; i < 300000; ++i) {
         const glm::vec2 slope(random.decades(1e-6, 10), -random.decades(1e-6, 10));
         const float whole = std::fabs(slope.x) + std::fabs(slope.y);
-        const float half = whole * float(random.decades(1e-4, 1));
-        const float kept = math_f::agaa_storedHalfRange(math_f::agaa_packHalfRange(half, slope), slope);
-        ASSERT_GE(kept, half * 0.999997f);
-        ASSERT_LE(kept, half * 1.07f);
+        const float side = whole * float(random.decades(1e-4, 1));
+        const float kept = math_f::agaa_unpackSide(math_f::agaa_packSide(side, whole), whole);
+        ASSERT_GE(kept, side * 0.84f);
+        ASSERT_LE(kept, side * 1.19f);
         agaa_DepthPlane plane{float(random.range(-1, 1)), slope, {}};
         plane.range.x = plane.depth + whole * float(random.range(-0.5, 0.5));
         plane.range.y = std::min(plane.range.x + whole * float(random.range(0, 1)), plane.depth + 0.5f * whole);

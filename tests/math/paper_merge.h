@@ -17,7 +17,8 @@ using Bits = std::bitset<128>;
 
 struct Surface {
     Bits coverage;
-    float depth, slopeX, slopeY, middle, half; // the last two of the range of depths
+    float depth, slopeX, slopeY;
+    float middle, below, above; // a depth in the range, and the distances of its ends
     float normal[3];
 };
 
@@ -29,7 +30,7 @@ struct Box {
 };
 inline Box boxOf(const Surface& s) {
     const float half = 0.5f * (std::fabs(s.slopeX) + std::fabs(s.slopeY));
-    const auto within = [&](float z) { return std::min(std::max(z, s.middle - s.half), s.middle + s.half); };
+    const auto within = [&](float z) { return std::min(std::max(z, s.middle - s.below), s.middle + s.above); };
     return {within(s.depth - half), within(s.depth + half)};
 }
 inline float overlapOf(const Surface& a, const Surface& b) {
@@ -50,10 +51,10 @@ inline void average(Surface& into, const Surface& from, const Bits& bits, size_t
         mix(into.depth, from.depth);
         mix(into.slopeX, from.slopeX);
         mix(into.slopeY, from.slopeY);
-        const float nearest = std::min(into.middle - into.half, from.middle - from.half);
-        const float farthest = std::max(into.middle + into.half, from.middle + from.half);
+        const float nearest = std::min(into.middle - into.below, from.middle - from.below);
+        const float farthest = std::max(into.middle + into.above, from.middle + from.above);
         into.middle = (nearest + farthest) * 0.5f;
-        into.half = (farthest - nearest) * 0.5f;
+        into.below = into.above = (farthest - nearest) * 0.5f;
     }
     float n[3];
     for (int i = 0; i < 3; ++i)
@@ -130,7 +131,7 @@ private:
         for (size_t i = 0; i < order.size(); ++i)
             order[i] = i;
         const auto centre = [&](size_t i) {
-            return std::min(std::max(all[i].depth, all[i].middle - all[i].half), all[i].middle + all[i].half);
+            return std::min(std::max(all[i].depth, all[i].middle - all[i].below), all[i].middle + all[i].above);
         };
         std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return centre(a) < centre(b); });
         return order;

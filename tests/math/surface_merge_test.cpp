@@ -26,7 +26,7 @@ glm::uvec4 wordsOf(const Bits& bits) {
 Shader shaderOf(const Surface& s) {
     return {wordsOf(s.coverage),
             {s.depth, s.slopeX, s.slopeY},
-            {s.middle, s.half},
+            {s.middle, s.below, s.above},
             {s.normal[0], s.normal[1], s.normal[2]}};
 }
 
@@ -46,7 +46,8 @@ Surface randomFragment(Random& random, uint32_t samples) {
     if (random.below(3))
         s.slopeX = random(-0.2f, 0.2f), s.slopeY = random(-0.2f, 0.2f);
     s.middle = s.depth + 0.05f * float(random.below(3)) - 0.05f;
-    s.half = 0.05f * float(random.below(3));
+    s.below = 0.05f * float(random.below(3));
+    s.above = 0.05f * float(random.below(3));
     const float angle = 0.3f * float(random.below(7));
     s.normal[0] = std::sin(angle);
     s.normal[2] = std::cos(angle);

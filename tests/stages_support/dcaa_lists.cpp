@@ -33,12 +33,13 @@ glm::vec2 middleOf(const paper::Surface& s, uint32_t samples) {
 
 void setPlane(paper::Surface& s, const math_f::agaa_StoredPlane& stored, uint32_t samples) {
     const glm::vec3 plane = math_f::agaa_storedPlane(stored);
-    const glm::vec2 depths = math_f::agaa_storedDepths(stored, middleOf(s, samples));
+    const glm::vec3 depths = math_f::agaa_storedDepths(stored, middleOf(s, samples));
     s.depth = plane.x;
     s.slopeX = plane.y;
     s.slopeY = plane.z;
     s.middle = depths.x;
-    s.half = depths.y;
+    s.below = depths.y;
+    s.above = depths.z;
 }
 
 } // namespace
@@ -83,7 +84,8 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
 }
 
 void storeSurface(paper::Surface& s, uint32_t samples) {
-    setPlane(s, math_f::agaa_storePlane({s.depth, s.slopeX, s.slopeY}, {s.middle, s.half}, middleOf(s, samples)),
+    setPlane(s,
+             math_f::agaa_storePlane({s.depth, s.slopeX, s.slopeY}, {s.middle, s.below, s.above}, middleOf(s, samples)),
              samples);
     setNormal(s, packNormal(s.normal));
 }

@@ -47,9 +47,8 @@ agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uin
                                agaa_unpackNormal(normal));
 }
 
-agaa_CoveredSurface agaa_surfaceOfPlane(uvec4 mask, agaa_DepthPlane fragment, vec3 normal) {
-    agaa_DepthPlane plane = agaa_flattenedPlane(fragment);
-    return agaa_CoveredSurface(mask, vec3(plane.depth, plane.slope), agaa_middleAndHalf(plane.range), normal);
+agaa_CoveredSurface agaa_surfaceOfPlane(uvec4 mask, agaa_DepthPlane plane, vec3 normal) {
+    return agaa_CoveredSurface(mask, vec3(plane.depth, plane.slope), agaa_depthsOfRange(plane.range), normal);
 }
 
 agaa_StoredPlane agaa_storedPlaneOf(agaa_CoveredSurface s) {

@@ -15,10 +15,9 @@ agaa_StoredPlane agaa_carriedPlane(uint record) {
     return agaa_StoredPlane(uintBitsToFloat(agaa_fragments.words[at]), agaa_fragments.words[at + 1u]);
 }
 
-// Returns the plane with twice its range: the centroid of the samples that are left may be at one end of the range of
-// all that were covered.
+// The mask may have lost samples that other fragments hide.
 agaa_DepthPlane agaa_keptPlane(uint record) {
-    return agaa_loadedPlane(agaa_carriedPlane(record), agaa_coverageMiddle(agaa_maskOf(record), AGAA_SAMPLES), 2.0);
+    return agaa_loadedPlane(agaa_carriedPlane(record), agaa_coverageMiddle(agaa_maskOf(record), AGAA_SAMPLES), true);
 }
 
 vec3 agaa_keptNormal(uint record) { return agaa_unpackNormal(agaa_fragments.words[record + AGAA_PAYLOAD_AT + 2u]); }

@@ -47,7 +47,7 @@ uvec4 agaa_loadMask(uint base) {
 agaa_DepthPlane agaa_loadPlane(uint base, uvec4 mask) {
     agaa_StoredPlane stored = agaa_StoredPlane(uintBitsToFloat(agaa_readSurfaces(base + AGAA_DEPTH_WORD)),
                                                agaa_readSurfaces(base + AGAA_SLOPE_WORD));
-    return agaa_loadedPlane(stored, agaa_coverageMiddle(mask, AGAA_SAMPLES), 1.0);
+    return agaa_loadedPlane(stored, agaa_coverageMiddle(mask, AGAA_SAMPLES), false);
 }
 
 // Returns the samples that surface a loses to the others.

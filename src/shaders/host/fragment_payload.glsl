@@ -24,8 +24,8 @@ bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask) {
     if (AGAA_SPREAD_WORDS == 0u)
         s.alpha2 = agaa_widenedByCurvature(s.alpha2, s.normalDx, s.normalDy, mask);
     agaa_packSurface(agaa_storedInput(s));
-    agaa_DepthPlane growing = agaa_flattenedPlane(agaa_growingDepth(plane));
-    agaa_StoredPlane stored = agaa_storePlane(vec3(growing.depth, growing.slope), agaa_middleAndHalf(growing.range),
+    agaa_DepthPlane growing = agaa_growingDepth(plane);
+    agaa_StoredPlane stored = agaa_storePlane(vec3(growing.depth, growing.slope), agaa_depthsOfRange(growing.range),
                                               agaa_coverageMiddle(mask, AGAA_SAMPLES));
     agaa_payload[0] = floatBitsToUint(stored.depth);
     agaa_payload[1] = stored.slopes;

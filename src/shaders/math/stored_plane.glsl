@@ -6,17 +6,18 @@
 #define AGAA_MATH_STORED_PLANE_GLSL
 #include "depth_plane.glsl"
 
-// Layout of the word of slopes, from the lowest bit: 9 bits for each of the slopes in x and y, in two's complement;
-// 6 bits of their common exponent; 8 bits of the range, 4 of which are an exponent.
+// Layout of the word of slopes, from the lowest bit: 8 bits for each of the slopes in x and y, in two's complement;
+// 6 bits of their common exponent; 5 bits for each side of the range.
 // Slopes of less than 2^-51 are 0, and a pixel's change of depth is at most 2^12.
 #define AGAA_SLOPE_EXPONENT_BIAS 75u // 2^-52 in the exponent of a float
+#define AGAA_SIDE_CODES 31u          // the last code is a side of 0
 
 uint agaa_packMantissa(real slope, real perUnit) {
-    return uint(int(floor(clamp(slope * perUnit, real(-255.0), real(255.0)) + real(0.5)))) & 0x1FFu;
+    return uint(int(floor(clamp(slope * perUnit, real(-127.0), real(127.0)) + real(0.5)))) & 0xFFu;
 }
 
 real agaa_unpackMantissa(uint bits) {
-    return real(int(bits ^ 0x100u) - 256);
+    return real(int(bits ^ 0x80u) - 128);
 }
 
 // Returns the exponent of the largest slope, 0 if the slopes are 0.
@@ -25,34 +26,33 @@ uint agaa_slopeExponent(rvec2 slope) {
     return clamp(exponent, AGAA_SLOPE_EXPONENT_BIAS, AGAA_SLOPE_EXPONENT_BIAS + 63u) - AGAA_SLOPE_EXPONENT_BIAS;
 }
 
-// Returns 2^(exponent - 7), the unit of mantissas, whose largest has 8 bits.
+// Returns 2^(exponent - 6), the unit of mantissas, whose largest has 7 bits.
 real agaa_slopeUnit(uint exponent) {
-    return exponent == 0u ? real(0.0) : uintBitsToFloat((exponent + AGAA_SLOPE_EXPONENT_BIAS - 7u) << 23u);
+    return exponent == 0u ? real(0.0) : uintBitsToFloat((exponent + AGAA_SLOPE_EXPONENT_BIAS - 6u) << 23u);
 }
 
 rvec2 agaa_storedSlopes(uint word) {
-    const real unit = agaa_slopeUnit((word >> 18u) & 63u);
-    return rvec2(agaa_unpackMantissa(word & 0x1FFu), agaa_unpackMantissa((word >> 9u) & 0x1FFu)) * unit;
+    const real unit = agaa_slopeUnit((word >> 16u) & 63u);
+    return rvec2(agaa_unpackMantissa(word & 0xFFu), agaa_unpackMantissa((word >> 8u) & 0xFFu)) * unit;
 }
 
-// Returns the word without its range. The relative error is at most 2^-8 of the larger slope.
+// Returns the word without its range. The error is at most 1/127 of the larger slope.
 uint agaa_packSlopes(rvec2 slope) {
     const uint exponent = agaa_slopeExponent(slope);
     const real perUnit = exponent == 0u ? real(0.0) : real(1.0) / agaa_slopeUnit(exponent);
-    return agaa_packMantissa(slope.x, perUnit) | (agaa_packMantissa(slope.y, perUnit) << 9u) | (exponent << 18u);
+    return agaa_packMantissa(slope.x, perUnit) | (agaa_packMantissa(slope.y, perUnit) << 8u) | (exponent << 16u);
 }
 
-// The range is stored as its half, in units of the change of depth across the pixel, above which it limits nothing.
-// Both functions are inverse to each other but for the rounding up to 4 bits.
-uint agaa_packHalfRange(real halfRange, rvec2 slope) {
-    const real whole = abs(slope.x) + abs(slope.y);
-    const real ratio = whole > real(0.0) ? clamp(halfRange / whole, real(0.000030517578125), real(1.0)) : real(1.0);
-    // 15 steps of a float, by which the quotient may be off, do not round up.
-    return (((floatBitsToUint(ratio) + 0x7FFF0u) >> 19u) - (112u << 4u)) << 24u;
+// A side of the range is stored in units of the change of depth across the pixel, above which it limits nothing, in
+// steps of the root of 2. It is rounded to the nearest step: ranges that grew with every merge would bring surfaces in
+// front of what hides them.
+uint agaa_packSide(real side, real whole) {
+    const real ratio = whole > real(0.0) ? clamp(side / whole, real(1e-9), real(1.0)) : real(1.0);
+    return uint(clamp(floor(real(0.5) - real(2.0) * log2(ratio)), real(0.0), real(AGAA_SIDE_CODES)));
 }
 
-real agaa_storedHalfRange(uint word, rvec2 slope) {
-    return uintBitsToFloat(((word >> 24u) + (112u << 4u)) << 19u) * (abs(slope.x) + abs(slope.y));
+real agaa_unpackSide(uint code, real whole) {
+    return code == AGAA_SIDE_CODES ? real(0.0) : whole * exp2(real(-0.5) * real(code));
 }
 
 // Returns the depth of a plane at an offset from the pixel's centre, without a range.
@@ -69,37 +69,28 @@ struct agaa_StoredPlane {
 
 // Depths increase away from the eye, or towards it if they are negated.
 // plane    Depth at the pixel's centre, and its change per pixel in x and in y.
-// depths   Middle and half of the range of depths.
+// depths   A depth in the range, and the distances of the lowest and the highest depth from it.
 // anchor   Centroid of the covered samples, as an offset from the pixel's centre. The plane is exact there, because the
 //          rounding of slopes would move the depth of a steep plane.
-agaa_StoredPlane agaa_storePlane(rvec3 plane, rvec2 depths, rvec2 anchor) {
+agaa_StoredPlane agaa_storePlane(rvec3 plane, rvec3 depths, rvec2 anchor) {
     const uint slopes = agaa_packSlopes(rvec2(plane.y, plane.z));
     const rvec2 rounded = agaa_storedSlopes(slopes);
+    const real whole = abs(rounded.x) + abs(rounded.y);
     const real depth = agaa_planeDepth(plane, anchor);
-    const real inside = clamp(depth, depths.x - depths.y, depths.x + depths.y);
+    const real inside = clamp(depth, depths.x - depths.y, depths.x + depths.z);
     const rvec2 lost = rvec2(plane.y, plane.z) - rounded;
     agaa_StoredPlane stored;
     stored.depth = plane.x + (lost.x * anchor.x + lost.y * anchor.y) + (inside - depth);
-    const real middle = agaa_planeDepth(rvec3(stored.depth, rounded.x, rounded.y), anchor);
-    stored.slopes = slopes | agaa_packHalfRange(depths.y + abs(depths.x - middle), rounded);
+    const real moved = agaa_planeDepth(rvec3(stored.depth, rounded.x, rounded.y), anchor) - depths.x;
+    stored.slopes = slopes | (agaa_packSide(depths.y + moved, whole) << 22u) |
+                    (agaa_packSide(depths.z - moved, whole) << 27u);
     return stored;
 }
 
-// Returns middle and half of a range of depths.
-rvec2 agaa_middleAndHalf(rvec2 range) {
-    return rvec2(range.x + range.y, range.y - range.x) * real(0.5);
-}
-
-// Returns the plane flattened around the middle of its range, so that it stays in the range over the whole pixel.
-// Surfaces that merge have such planes: one that leaves the range of a narrow wall would come in front of what hides
-// it.
-agaa_DepthPlane agaa_flattenedPlane(agaa_DepthPlane plane) {
-    const rvec2 depths = agaa_middleAndHalf(plane.range);
-    const real reach = (abs(plane.slope.x) + abs(plane.slope.y)) * real(0.5);
-    agaa_DepthPlane flattened = plane;
-    flattened.depth = depths.x;
-    flattened.slope = plane.slope * (reach > depths.y ? depths.y / reach : real(1.0));
-    return flattened;
+// Returns the middle of a range of depths, and the distances of its ends.
+rvec3 agaa_depthsOfRange(rvec2 range) {
+    const real halfRange = (range.y - range.x) * real(0.5);
+    return rvec3((range.x + range.y) * real(0.5), halfRange, halfRange);
 }
 
 rvec3 agaa_storedPlane(agaa_StoredPlane stored) {
@@ -107,19 +98,25 @@ rvec3 agaa_storedPlane(agaa_StoredPlane stored) {
     return rvec3(stored.depth, slopes.x, slopes.y);
 }
 
-// Returns middle and half of the range of depths. anchor: as stored with.
-rvec2 agaa_storedDepths(agaa_StoredPlane stored, rvec2 anchor) {
-    return rvec2(agaa_planeDepth(agaa_storedPlane(stored), anchor),
-                 agaa_storedHalfRange(stored.slopes, agaa_storedSlopes(stored.slopes)));
+// Returns the depth at the anchor, and the distances of the lowest and the highest depth from it. anchor: as stored
+// with.
+rvec3 agaa_storedDepths(agaa_StoredPlane stored, rvec2 anchor) {
+    const rvec2 slopes = agaa_storedSlopes(stored.slopes);
+    const real whole = abs(slopes.x) + abs(slopes.y);
+    return rvec3(agaa_planeDepth(agaa_storedPlane(stored), anchor),
+                 agaa_unpackSide((stored.slopes >> 22u) & 31u, whole), agaa_unpackSide(stored.slopes >> 27u, whole));
 }
 
-// Returns the plane of a surface, with its range. widening: of the range, 1 or more.
-agaa_DepthPlane agaa_loadedPlane(agaa_StoredPlane stored, rvec2 anchor, real widening) {
-    const rvec2 depths = agaa_storedDepths(stored, anchor);
+// Returns the plane of a surface, with its range.
+// isReduced   The anchor is the centroid of a part of the covered samples, which may be at an end of the range; the
+//             range is then widened to both sides.
+agaa_DepthPlane agaa_loadedPlane(agaa_StoredPlane stored, rvec2 anchor, bool isReduced) {
+    const rvec3 depths = agaa_storedDepths(stored, anchor);
+    const real both = depths.y + depths.z;
     agaa_DepthPlane plane;
     plane.depth = stored.depth;
     plane.slope = agaa_storedSlopes(stored.slopes);
-    plane.range = rvec2(depths.x - depths.y * widening, depths.x + depths.y * widening);
+    plane.range = rvec2(depths.x - (isReduced ? both : depths.y), depths.x + (isReduced ? both : depths.z));
     return plane;
 }
 

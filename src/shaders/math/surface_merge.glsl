@@ -17,7 +17,9 @@
 struct agaa_CoveredSurface {
     uvec4 mask;
     rvec3 plane;  // depth at the pixel's centre, and its change per pixel in x and in y
-    rvec2 depths; // middle and half of the range of depths, because edge-on planes extrapolate without bound
+    // A depth in the range, and the distances of the lowest and the highest depth from it: edge-on planes extrapolate
+    // without bound.
+    rvec3 depths;
     rvec3 normal; // unit
 };
 
@@ -66,7 +68,7 @@ void agaa_keep(uint i, agaa_CoveredSurface s) {
 
 // Returns the lowest and highest depth that the range allows.
 rvec2 agaa_rangeOf(agaa_CoveredSurface s) {
-    return rvec2(s.depths.x - s.depths.y, s.depths.x + s.depths.y);
+    return rvec2(s.depths.x - s.depths.y, s.depths.x + s.depths.z);
 }
 
 // Returns the lowest and highest depth over the pixel.
@@ -99,7 +101,8 @@ rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 
         const rvec2 ofA = agaa_rangeOf(a);
         const rvec2 ofB = agaa_rangeOf(b);
         const rvec2 range = rvec2(min(ofA.x, ofB.x), max(ofA.y, ofB.y));
-        a.depths = rvec2((range.x + range.y) * real(0.5), (range.y - range.x) * real(0.5));
+        const real halfRange = (range.y - range.x) * real(0.5);
+        a.depths = rvec3((range.x + range.y) * real(0.5), halfRange, halfRange);
     }
     const rvec3 normal = a.normal + (b.normal - a.normal) * share;
     const real l2 = dot(normal, normal);
