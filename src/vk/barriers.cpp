@@ -143,6 +143,29 @@ VkImageMemoryBarrier outputBarrier() {
     return barrier;
 }
 
+struct OutputAccess {
+    VkAccessFlags reads, writes;
+};
+
+// Returns the accesses of the host that a layout of the output permits. Layouts without writes have none to wait for:
+// the host's transition to the layout made earlier writes available.
+OutputAccess accessIn(VkImageLayout layout) {
+    switch (layout) {
+    case VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL:
+        return {VK_ACCESS_TRANSFER_READ_BIT, 0};
+    case VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL:
+        return {0, VK_ACCESS_TRANSFER_WRITE_BIT};
+    case VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL:
+        return {VK_ACCESS_COLOR_ATTACHMENT_READ_BIT, VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT};
+    case VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL:
+        return {VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_INPUT_ATTACHMENT_READ_BIT, 0};
+    case VK_IMAGE_LAYOUT_PRESENT_SRC_KHR: // the presentation engine waits for a semaphore
+        return {0, 0};
+    default:
+        return {VK_ACCESS_MEMORY_READ_BIT, VK_ACCESS_MEMORY_WRITE_BIT};
+    }
+}
+
 // Each use of the output waits for the host's use or for that of an earlier step.
 void Tracker::useOutput(const Step& step) {
     for (const Binding& binding : plan_.passes[step.pass].bindings) {
@@ -185,8 +208,10 @@ void recordBarriers(const DeviceTable& vk, VkCommandBuffer commands, StepBarrier
         return;
     if (barriers.usesOutput)
         barriers.images.back().image = (VkImage)frame.outputImage;
-    if (barriers.beginsOutput)
+    if (barriers.beginsOutput) {
         barriers.images.back().oldLayout = VkImageLayout(frame.outputLayoutIn);
+        barriers.images.back().srcAccessMask = accessIn(VkImageLayout(frame.outputLayoutIn)).writes;
+    }
     vk.CmdPipelineBarrier(commands, barriers.source, barriers.destination, 0, uint32_t(barriers.memory.size()),
                           barriers.memory.data(), 0, nullptr, uint32_t(barriers.images.size()), barriers.images.data());
 }
@@ -196,7 +221,8 @@ void releaseOutput(const DeviceTable& vk, VkCommandBuffer commands, const AgaaVk
     barrier.image = (VkImage)frame.outputImage;
     barrier.newLayout = VkImageLayout(frame.outputLayoutOut);
     barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
+    const OutputAccess later = accessIn(barrier.newLayout);
+    barrier.dstAccessMask = later.reads | later.writes;
     vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
                           nullptr, 0, nullptr, 1, &barrier);
 }
