@@ -141,7 +141,7 @@ typedef enum AgaaTier {
     AGAA_TIER_IDS = 20,     /* one geometry pass into depth and ids; compute passes fetch the materials by id
                                (AgaaFetchFunction) */
     AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass
-                                      merges the lists in the order of ids (AgaaFetchFunction) */
+                                      merges the lists from front to back (AgaaFetchFunction) */
     AGAA_TIER_FRAGMENTS = 22,      /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters
                                       the fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO
                                       selects it at 64 and 128 */
@@ -263,6 +263,10 @@ typedef enum AgaaMerge {
  * not used. Requires maxBatches 1 and a tier with lists; otherwise the view fails with AGAA_ERROR_UNSUPPORTED. The
  * tier MATERIAL_LISTS rounds depth planes and materials as the layout stores them. */
 #define AGAA_COVERAGE_EXACT UINT64_C(0x01)
+/* Lists keep the order of the host's draws, as in DCAA (section 3.2). By default they are sorted by depth, so that the
+ * order of the draws changes no pixel except at equal depths. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER merge in
+ * the order of the draws with and without the flag. */
+#define AGAA_COVERAGE_DRAW_ORDER UINT64_C(0x02)
 
 /* Controls how "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and
  * RASTER_ORDER have no lists and use neither fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses

@@ -148,16 +148,28 @@ void expectWholeFrame(const RenderResult& result, uint32_t aggregates) {
 }
 
 void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings) {
-    settings.config.samples = 8;
-    settings.config.generationTier = AGAA_TIER_GBUFFER;
     settings.config.flags &= ~AGAA_CONFIG_COUNTERS; // with counts of fragments Mesa tests depth after shading
-    for (const char* technique : {"ssaa", "simple_complex", "agaa"}) {
-        settings.config.technique = technique;
+    settings.config.coverage.fragmentsPerPixel = 64;
+    struct Case {
+        const char* technique;
+        uint32_t samples;
+        AgaaTier tier;
+    };
+    for (const Case& c : {Case{"ssaa", 8, AGAA_TIER_GBUFFER},
+                          {"simple_complex", 8, AGAA_TIER_GBUFFER},
+                          {"agaa", 8, AGAA_TIER_GBUFFER},
+                          {"agaa", 64, AGAA_TIER_FRAGMENTS},
+                          {"dcaa", 64, AGAA_TIER_FRAGMENT_LISTS},
+                          {"dcaa", 64, AGAA_TIER_MATERIAL_LISTS}}) {
+        settings.config.technique = c.technique;
+        settings.config.samples = c.samples;
+        settings.config.generationTier = c.tier;
         settings.drawOrderSeed = 1;
         const Image one = renderer.render(settings).image;
         settings.drawOrderSeed = 2;
         const Difference difference = differenceOf(one, renderer.render(settings).image);
-        EXPECT_EQ(difference.pixels, 0u) << technique << ": " << difference.largest;
+        EXPECT_EQ(difference.pixels, 0u) << c.technique << ", tier " << agaaTierName(c.tier) << ": "
+                                         << difference.largest;
     }
 }
 

@@ -50,8 +50,8 @@ void expectEverySampleOnce(const AgaaCounters& counters);
 void expectWholeFrame(const RenderResult& result, uint32_t aggregates);
 // Bit by bit, with ssaa and agaa.
 void expectImagesRepeat(Renderer& renderer, RenderSettings settings);
-// Of techniques that draw once, into a G-buffer: each fragment is evaluated at a place that does not depend on what was
-// drawn before. For scenes without equal depths.
+// Expects equal images for two orders of the draws, for G-buffers and for lists of fragments. The scene must have no
+// equal depths.
 void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings);
 // Bit by bit, of each tier with coverage samples and in both depth conventions: vertex shaders that expand triangles,
 // beside geometry shaders. pulling: may have no geometry shaders. Both have loaded the scene.

@@ -1,6 +1,7 @@
 #include "dcaa_lists.h"
 
 #include "shader_math.h"
+#include "shaders/tables/layouts.inc"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace agaa::test {
 
 namespace {
 
-constexpr uint32_t countWords = 16; // before the first fragments
+constexpr uint32_t countWords = AGAA_LIST_HEADS; // before the first fragments
 
 uint32_t packNormal(const float (&normal)[3]) {
     const glm::vec2 code = math_f::agaa_encodeOct({normal[0], normal[1], normal[2]}, 16) * 65535.0f + 0.5f;
@@ -61,9 +62,9 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
     for (uint32_t p = 0; p < pixels; ++p) {
         std::vector<uint32_t>& list = kept.lists.emplace_back();
         for (uint32_t at = fragments.empty() ? 0 : fragments[countWords + p]; at != 0;) {
-            const uint32_t record = countWords + pixels + (at - 1) * (2 + masks + buffers.payloadWords);
+            const uint32_t record = countWords + pixels + (at - 1) * (AGAA_FRAGMENT_MASK_AT + masks + buffers.payloadWords);
             list.push_back(fragments[record]);
-            at = fragments[record + 1];
+            at = fragments[record + AGAA_FRAGMENT_NEXT_AT];
         }
         std::vector<paper::Surface>& own = kept.pixels.emplace_back();
         std::vector<uint32_t>& payloadWords = kept.words.emplace_back();

@@ -41,7 +41,7 @@ inline void expectSameFrame(const Kept& got, const Kept& expected, const AgaaDev
     EXPECT_EQ(b.sanitised, a.sanitised);
 }
 
-// Bit by bit, where numbers ascend with the draws.
+// Merging in order is bit by bit equal to merging lists in the order of the draws, if ids ascend with the draws.
 TYPED_TEST_P(InterlockCases, MergesAsLists) {
     if (!this->hasInterlock && !(this->context.caps().flags & AGAA_DEVICE_SOFTWARE))
         GTEST_SKIP() << "the device need not rasterise the fragments of a pixel in order";
@@ -65,6 +65,7 @@ TYPED_TEST_P(InterlockCases, MergesAsLists) {
         settings.config.surfaceCosine = 0.9f;
         settings.config.ndf = c.ndf;
         settings.surface = "s.normalDx = vec3(0.3, 0.0, 0.1); s.normalDy = vec3(0.0, 0.02, 0.0);";
+        settings.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER;
         const Kept lists = this->keep(settings, shot);
         settings.config.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
         const Kept merged = this->keep(settings, shot);
@@ -78,7 +79,7 @@ TYPED_TEST_P(InterlockCases, MergesAsLists) {
     }
 }
 
-// It is that of the draws, whatever their numbers.
+// Merging in order follows the draws, and lists follow the ids.
 TYPED_TEST_P(InterlockCases, DrawsDecideTheOrder) {
     if (!this->hasInterlock && !(this->context.caps().flags & AGAA_DEVICE_SOFTWARE))
         GTEST_SKIP() << "the device need not rasterise the fragments of a pixel in order";
@@ -90,6 +91,7 @@ TYPED_TEST_P(InterlockCases, DrawsDecideTheOrder) {
     settings.surface = "s.primitive = 399u - s.primitive;";
     EXPECT_EQ(this->keep(settings, shot).words, merged.words);
     settings.config.generationTier = AGAA_TIER_MATERIAL_LISTS;
+    settings.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER;
     EXPECT_NE(this->keep(settings, shot).words, merged.words);
 }
 

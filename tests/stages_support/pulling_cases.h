@@ -4,6 +4,8 @@
 
 #include "interlock_cases.h"
 
+#include "shaders/tables/layouts.inc"
+
 #include <limits>
 
 namespace agaa::test {
@@ -16,14 +18,14 @@ struct FragmentWords {
 
     FragmentWords(const Plan& plan, const std::vector<uint32_t>& buffer)
         : pixels(size_t(plan.view.width) * plan.view.height) {
-        constexpr size_t countWords = 16; // before the first fragments
-        const size_t length = 2 + plan.view.samples / 32 + plan.payloadWords;
+        constexpr size_t countWords = AGAA_LIST_HEADS; // before the first fragments
+        const size_t length = AGAA_FRAGMENT_MASK_AT + plan.view.samples / 32 + plan.payloadWords;
         for (size_t p = 0; p < pixels.size(); ++p)
             for (uint32_t at = buffer[countWords + p]; at != 0; ++count) {
                 const auto record = buffer.begin() + ptrdiff_t(countWords + pixels.size() + (at - 1) * length);
                 pixels[p].push_back(record[0]);
-                pixels[p].insert(pixels[p].end(), record + 2, record + ptrdiff_t(length));
-                at = record[1];
+                pixels[p].insert(pixels[p].end(), record + AGAA_FRAGMENT_DEPTH_AT, record + ptrdiff_t(length));
+                at = record[AGAA_FRAGMENT_NEXT_AT];
             }
     }
 };

@@ -28,7 +28,7 @@ protected:
 };
 TYPED_TEST_SUITE_P(RasterOrderCases);
 
-// Bit by bit, where numbers ascend with the draws. One surface of 128 samples leaves a word of its texels unused.
+// Merging in order is bit by bit equal to merging lists in the order of the draws, if ids ascend with the draws. One surface of 128 samples leaves a word of its texels unused.
 TYPED_TEST_P(RasterOrderCases, MergesAsLists) {
     struct Case {
         uint32_t samples, surfaces, merge;
@@ -49,6 +49,7 @@ TYPED_TEST_P(RasterOrderCases, MergesAsLists) {
         ViewSettings lists = this->settings(AGAA_TIER_MATERIAL_LISTS, c.samples, c.surfaces),
                      merging = this->settings(AGAA_TIER_RASTER_ORDER, c.samples, c.surfaces);
         lists.config.coverage.merge = merging.config.coverage.merge = c.merge;
+        lists.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER;
         lists.config.ndf = merging.config.ndf = c.ndf;
         const std::vector<float> pattern = ownPattern(c.samples);
         if (c.hasOwnPattern)
@@ -60,11 +61,12 @@ TYPED_TEST_P(RasterOrderCases, MergesAsLists) {
     }
 }
 
-// It is that of the draws, whatever their numbers.
+// Merging in order follows the draws, and lists follow the ids.
 TYPED_TEST_P(RasterOrderCases, DrawsDecideTheOrder) {
     const Shot shot{.triangles = tangle(400), .change = addAmbient};
     ViewSettings merging = this->settings(AGAA_TIER_RASTER_ORDER, 64, 2),
                  lists = this->settings(AGAA_TIER_MATERIAL_LISTS, 64, 2);
+    lists.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER;
     const Kept merged = this->keep(merging, shot);
     merging.surface = lists.surface = "s.primitive = 399u - s.primitive;";
     EXPECT_EQ(this->keep(merging, shot).words, merged.words);

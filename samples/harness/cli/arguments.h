@@ -60,6 +60,7 @@ struct PlanArguments {
     std::string fragmentsPerPixel = "8"; // a number, or auto
     uint32_t maxBatches = 1;
     bool exact = false;
+    bool drawOrder = false;
     std::string coveragePattern = "library";
     uint32_t tableSize = 0;
     AdaptiveArguments adaptive;

@@ -203,6 +203,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_PAYLOAD_WORDS", plan.payloadWords);
         defineSwitch(out, "AGAA_TABLE_SIZE", c[AGAA_TABLE_SIZE]);
         defineSwitch(out, "AGAA_HAS_BATCHES", plan.view.coverage.maxBatches > 1);
+        defineSwitch(out, "AGAA_DRAW_ORDER", (plan.view.coverage.flags & AGAA_COVERAGE_DRAW_ORDER) != 0);
     }
     if (hasCorners && needsMaterial(pass)) {
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);

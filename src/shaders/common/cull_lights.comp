@@ -14,6 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/lights.glsl"
 #include "tables/lighting.inc"
 #include "common/tile_pixels.glsl"
+#include "common/ordered_bits.glsl"
 
 layout(std430, AGAA_BINDING_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock {
     uint words[];
@@ -25,15 +26,6 @@ struct agaa_Box {
 };
 shared uint agaa_tileBox[6];
 shared uint agaa_tileLights[AGAA_LIGHT_WORDS + 1u]; // the last word is the mask of shadows
-
-// Maps floats to integers of the same order.
-uint agaa_orderedBits(float x) {
-    uint bits = floatBitsToUint(x);
-    return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
-}
-float agaa_fromOrderedBits(uint bits) {
-    return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7FFFFFFFu : ~bits);
-}
 
 agaa_Box agaa_emptyBox() { return agaa_Box(vec3(3.0e38), vec3(-3.0e38)); }
 

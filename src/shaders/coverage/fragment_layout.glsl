@@ -2,8 +2,10 @@
 // pixels if the scene may be drawn again, then the fragments. Needs AGAA_SAMPLES, which common/constants.glsl has.
 // Includers that read or write fragments define AGAA_PAYLOAD_WORDS, which is 0 by default.
 //
-// A fragment has the id of its primitive, the next fragment of its pixel, its coverage, and AGAA_PAYLOAD_WORDS further
-// words. Fragments are numbered from 1. The number 0 ends a list.
+// A fragment has the id of its primitive, the next fragment of its pixel, its depth, its coverage, and
+// AGAA_PAYLOAD_WORDS further words. Fragments are numbered from 1. The number 0 ends a list. The depth is that at the
+// centroid of the covered samples, as agaa_orderedBits() of a depth that increases away from the eye; it is 0 for all
+// fragments if the draws decide the order.
 //
 // Batches: the first draw of the scene counts the fragments of each tile. If all of them have room, it is the only
 // draw. Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.

@@ -27,5 +27,6 @@ void agaa_setMask(uint record, uvec4 mask) {
         agaa_fragments.words[record + AGAA_FRAGMENT_MASK_AT + word] = mask[word];
 }
 
-uint agaa_nextOf(uint record) { return agaa_fragments.words[record + 1u]; }
+uint agaa_nextOf(uint record) { return agaa_fragments.words[record + AGAA_FRAGMENT_NEXT_AT]; }
+void agaa_setNext(uint record, uint fragment) { agaa_fragments.words[record + AGAA_FRAGMENT_NEXT_AT] = fragment; }
 #endif

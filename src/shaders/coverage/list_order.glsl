@@ -1,48 +1,76 @@
-// Sorts fragment lists in the order of the host's draws. Needs what coverage/fragment_words.glsl needs.
+// Sorts fragment lists by depth, so that the result does not depend on the order of the host's draws (hard case 67).
+// Needs what coverage/fragment_words.glsl needs.
 #ifndef AGAA_LIST_ORDER_GLSL
 #define AGAA_LIST_ORDER_GLSL
 #include "coverage/fragment_words.glsl"
 
-// Returns whether the first fragment precedes the second, whose id is given. Fragments of material lists may share a
-// number; their words then decide, so that frames are repeatable.
-bool agaa_isBefore(uint record, uint other, uint id) {
-    uint firstId = agaa_fragments.words[record];
+// Returns whether the first fragment precedes the second. Equal depths are ordered by id. Fragments of material lists
+// may share an id; their further words then decide, so that frames are repeatable.
+bool agaa_isBefore(uint record, uint other) {
+    uint word = AGAA_FRAGMENT_DEPTH_AT;
+    if (agaa_fragments.words[record + word] == agaa_fragments.words[other + word]) {
+        word = 0u;
 #ifdef AGAA_MATERIAL_LISTS
-    if (firstId == id) {
-        uint word = AGAA_FRAGMENT_MASK_AT;
-        while (word + 1u < AGAA_FRAGMENT_WORDS &&
+        if (agaa_fragments.words[record] == agaa_fragments.words[other])
+            word = AGAA_FRAGMENT_MASK_AT;
+        while (word != 0u && word + 1u < AGAA_FRAGMENT_WORDS &&
                agaa_fragments.words[record + word] == agaa_fragments.words[other + word])
             ++word;
-        return agaa_fragments.words[record + word] < agaa_fragments.words[other + word];
-    }
 #endif
-    return firstId < id;
+    }
+    return agaa_fragments.words[record + word] < agaa_fragments.words[other + word];
 }
 
-// Sorts the pixel's list in ascending order of ids and returns its first fragment. Lists are in reverse order of the
-// draws, so that the insertion of most fragments takes one step.
-uint agaa_sortList(uvec2 pixel) {
-    uint head = 0u;
-    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)];
-    while (rest != 0u) {
-        uint record = agaa_record(rest);
-        uint id = agaa_fragments.words[record];
-        uint before = 0u;
-        uint after = head;
-        bool isLater = head != 0u && agaa_isBefore(agaa_record(max(head, 1u)), record, id);
-        while (isLater) {
-            before = after;
-            after = agaa_fragments.words[agaa_record(after) + 1u];
-            isLater = after != 0u && agaa_isBefore(agaa_record(max(after, 1u)), record, id);
+struct agaa_SortedRuns {
+    uint head;  // first fragment
+    uint count; // runs
+};
+
+// Merges neighbouring runs, which have `width` fragments each.
+agaa_SortedRuns agaa_mergeRuns(uint head, uint width) {
+    agaa_SortedRuns merged = agaa_SortedRuns(0u, 0u);
+    uint last = 0u; // the record before the next one
+    uint left = head;
+    while (left != 0u) {
+        uint right = left;
+        uint leftCount = 0u;
+        while (leftCount < width && right != 0u) {
+            right = agaa_nextOf(agaa_record(right));
+            ++leftCount;
         }
-        uint next = agaa_fragments.words[record + 1u];
-        agaa_fragments.words[record + 1u] = after;
-        if (before == 0u)
-            head = rest;
-        else
-            agaa_fragments.words[agaa_record(before) + 1u] = rest;
-        rest = next;
+        uint rightCount = right != 0u ? width : 0u;
+        while (leftCount + rightCount != 0u) {
+            bool isRight = leftCount == 0u || (rightCount != 0u && agaa_isBefore(agaa_record(right), agaa_record(left)));
+            uint taken = isRight ? right : left;
+            uint record = agaa_record(taken);
+            uint next = agaa_nextOf(record);
+            if (last == 0u)
+                merged.head = taken;
+            else
+                agaa_setNext(last, taken);
+            last = record;
+            if (isRight) {
+                right = next;
+                rightCount = next != 0u ? rightCount - 1u : 0u;
+            } else {
+                left = next;
+                --leftCount;
+            }
+        }
+        left = right;
+        ++merged.count;
     }
-    return head;
+    if (last != 0u)
+        agaa_setNext(last, 0u);
+    return merged;
+}
+
+// Sorts the pixel's list from front to back and returns its first fragment. The runs of a merge sort double, because
+// software rasterisers of Mesa end all loops of an invocation after 65535 iterations in total.
+uint agaa_sortList(uvec2 pixel) {
+    agaa_SortedRuns runs = agaa_SortedRuns(agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)], 2u);
+    for (uint width = 1u; runs.count > 1u; width *= 2u)
+        runs = agaa_mergeRuns(runs.head, width);
+    return runs.head;
 }
 #endif

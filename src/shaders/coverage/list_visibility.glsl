@@ -18,6 +18,7 @@ uint agaa_nearestFragment[AGAA_SAMPLES];
 void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
     uvec4 mask = agaa_maskOf(record);
     agaa_DepthPlane plane = agaa_keptPlane(record);
+    uint id = agaa_fragments.words[record];
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word) {
         uint left = mask[word];
         while (left != 0u) {
@@ -28,7 +29,8 @@ void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
             uint other = agaa_nearestFragment[i];
             if (isDecided) {
                 mask[word] ^= other != fragment ? bit : 0u;
-            } else if (other == 0u || depth < agaa_nearestDepth[i]) {
+            } else if (other == 0u || depth < agaa_nearestDepth[i] ||
+                       (depth == agaa_nearestDepth[i] && id < agaa_fragments.words[agaa_record(other)])) {
                 agaa_nearestDepth[i] = depth;
                 agaa_nearestFragment[i] = fragment;
             }

@@ -1,4 +1,4 @@
-// Merges the fragments of each pixel, in the order of their ids, into surfaces in memory. The includer defines
+// Merges the fragments of each pixel, from front to back, into surfaces in memory. The includer defines
 // bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material,
 // out agaa_NormalSpread spread), which returns false for fragments at the far plane. Needs AGAA_BINDING_SURFACES,
 // common/counters.glsl and coverage/list_order.glsl.
@@ -22,7 +22,7 @@ void agaa_mergePixel(uvec2 pixel) {
         agaa_NormalSpread spread;
         if (agaa_readFragment(pixel, record, s, material, spread))
             agaa_insertFragment(pixel, s, material, spread);
-        fragment = agaa_fragments.words[record + 1u];
+        fragment = agaa_nextOf(record);
     }
     for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {
         uint base = agaa_surfaceBase(pixel, a);

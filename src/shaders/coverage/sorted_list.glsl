@@ -1,4 +1,4 @@
-// Fragment lists in the order of the host's draws, with the primitives of fragments. Needs what ids/fetch.glsl and
+// Sorted fragment lists, with the primitives of fragments. Needs what ids/fetch.glsl and
 // coverage/fragment_words.glsl need.
 #ifndef AGAA_SORTED_LIST_GLSL
 #define AGAA_SORTED_LIST_GLSL

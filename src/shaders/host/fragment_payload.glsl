@@ -2,10 +2,9 @@
 #if !AGAA_NEEDS_MATERIAL
 #error "fragment_payload.glsl needs AGAA_NEEDS_MATERIAL."
 #endif
-#include "host/fragment_coverage.glsl"
+#include "host/fragment_depth.glsl"
 #include "coverage/material_payload.glsl"
 #include "common/curvature.glsl"
-#include "coverage/growing_depth.glsl"
 #include "math/stored_plane.glsl"
 #include "aggregate/packing.glsl"
 #include "coverage/surface_spread.glsl"
@@ -14,11 +13,8 @@ uint agaa_payload[AGAA_MATERIAL_PAYLOAD_WORDS]; // by agaa_packFragment()
 uint agaa_wasSanitised = 0u;
 
 // Fills agaa_payload, and sets agaa_wasSanitised if a member of s was not finite or out of range. Returns false for a
-// triangle at the far plane, which is background.
-bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask) {
-    agaa_DepthPlane plane =
-        agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
-                        vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);
+// triangle at the far plane, which is background. plane: agaa_cornerPlane().
+bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask, agaa_DepthPlane plane) {
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | agaa_sanitiseNormalChange(s.normalDx, s.normalDy);
     agaa_wasSanitised = bad;
     if (AGAA_SPREAD_WORDS == 0u)

@@ -1,10 +1,11 @@
 // Fragments pass: appends the coverage of each fragment, with the id of its primitive or its material, to the list of
-// its pixel. Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES.
+// its pixel. Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL, AGAA_HAS_BATCHES and AGAA_DRAW_ORDER.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
-#if !defined(AGAA_STORAGE_IMAGES) || !defined(AGAA_NEEDS_MATERIAL) || !defined(AGAA_HAS_BATCHES)
-#error "fragments.glsl needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES."
+#if !defined(AGAA_STORAGE_IMAGES) || !defined(AGAA_NEEDS_MATERIAL) || !defined(AGAA_HAS_BATCHES) || \
+    !defined(AGAA_DRAW_ORDER)
+#error "fragments.glsl needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL, AGAA_HAS_BATCHES and AGAA_DRAW_ORDER."
 #endif
-#include "host/fragment_coverage.glsl"
+#include "host/fragment_depth.glsl"
 
 #if AGAA_STORAGE_IMAGES
 layout(r32ui, AGAA_BINDING_FRAGMENTS) uniform uimageBuffer agaa_fragments;
@@ -30,8 +31,9 @@ void agaa_emit(AgaaSurfaceInput s) {
     uvec2 pixel = agaa_hostPixel();
     uvec2 size = agaa_frame.size;
     bool isFirstDraw = true;
+    agaa_DepthPlane plane = agaa_cornerPlane();
 #if AGAA_NEEDS_MATERIAL
-    if (!agaa_packFragment(s, mask))
+    if (!agaa_packFragment(s, mask, plane))
         return;
 #endif
 #if AGAA_HAS_BATCHES
@@ -62,7 +64,8 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint base = agaa_recordOf(index + 1u, size, AGAA_HAS_BATCHES == 1);
     uint next = agaa_exchangeFragments(agaa_headOf(pixel, size), index + 1u);
     agaa_setFragments(base, id);
-    agaa_setFragments(base + 1u, next);
+    agaa_setFragments(base + AGAA_FRAGMENT_NEXT_AT, next);
+    agaa_setFragments(base + AGAA_FRAGMENT_DEPTH_AT, AGAA_DRAW_ORDER == 1 ? 0u : agaa_depthOrder(plane, mask));
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
         agaa_setFragments(base + AGAA_FRAGMENT_MASK_AT + word, mask[word]);
 #if AGAA_NEEDS_MATERIAL

@@ -41,7 +41,7 @@ void agaa_prepareMerge(AgaaSurfaceInput s) {
     uvec4 mask = agaa_coverageOf(s);
     if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
         return;
-    agaa_merges = agaa_packFragment(s, mask);
+    agaa_merges = agaa_packFragment(s, mask, agaa_cornerPlane());
     agaa_count(AGAA_COUNT_FRAGMENTS, agaa_merges ? 1u : 0u);
     if (agaa_merges)
         agaa_countSurface(agaa_wasSanitised);

@@ -1,11 +1,10 @@
 // Triangle hulls for the host's geometry shader, in passes that need a fragment for each pixel that a triangle touches.
 // For each triangle, the shader calls agaa_beginPrimitive(), then agaa_setVertex() and EmitVertex() for each vertex of
-// the strip. pulled_hull.glsl is for vertex shaders. Needs AGAA_NEEDS_MATERIAL, AGAA_CLIP_Z_FROM_MINUS_ONE and
-// AGAA_FAR_DEPTH.
+// the strip. pulled_hull.glsl is for vertex shaders. Needs AGAA_CLIP_Z_FROM_MINUS_ONE and AGAA_FAR_DEPTH.
 #ifndef AGAA_HOST_TRIANGLE_HULL_GLSL
 #define AGAA_HOST_TRIANGLE_HULL_GLSL
-#if !defined(AGAA_NEEDS_MATERIAL) || !defined(AGAA_CLIP_Z_FROM_MINUS_ONE) || !defined(AGAA_FAR_DEPTH)
-#error "triangle_hull.glsl needs AGAA_NEEDS_MATERIAL, AGAA_CLIP_Z_FROM_MINUS_ONE and AGAA_FAR_DEPTH."
+#if !defined(AGAA_CLIP_Z_FROM_MINUS_ONE) || !defined(AGAA_FAR_DEPTH)
+#error "triangle_hull.glsl needs AGAA_CLIP_Z_FROM_MINUS_ONE and AGAA_FAR_DEPTH."
 #endif
 #include "host/corners.glsl"
 #include "math/triangle_coverage.glsl"
@@ -21,9 +20,7 @@ bool agaa_isHullMirrored;
 
 AGAA_CORNER agaa_cornerOf(vec4 clip, vec2 pixelsPerNdc) {
     vec3 corner = agaa_vertexInPixels(clip.xyw, pixelsPerNdc);
-#if !AGAA_NEEDS_MATERIAL
-    return corner;
-#elif AGAA_CLIP_Z_FROM_MINUS_ONE
+#if AGAA_CLIP_Z_FROM_MINUS_ONE
     return vec4(corner, 0.5 * (clip.z + clip.w));
 #else
     return vec4(corner, clip.z);

@@ -1,4 +1,4 @@
-// Merges the fragments of a pixel into a few surfaces, in the order of the draws. A surface has a coverage mask, one
+// Merges the fragments of a pixel into a few surfaces, in the order of their insertion. A surface has a coverage mask, one
 // depth plane and one normal.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, sections 3.2 and 3.3, algorithm 1; for the cost of
 // merging, Ward 1963, "Hierarchical Grouping to Optimize an Objective Function".

@@ -226,7 +226,8 @@ void addDecoupledCoverage(Suite& suite) {
         expectAccepted(test, parts, "AgaaDecoupledCoverage::samplePositions = null");
     });
     addFlags(suite, {"AgaaDecoupledCoverage.flags/flags", "AgaaDecoupledCoverage::flags",
-                     [](ViewParts& p, uint64_t flags) { p.coverage.flags = flags; }, AGAA_COVERAGE_EXACT, useDcaa});
+                     [](ViewParts& p, uint64_t flags) { p.coverage.flags = flags; },
+                     AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER, useDcaa});
 }
 
 // Tests "adaptive", and techniques that check the struct and do not use it.

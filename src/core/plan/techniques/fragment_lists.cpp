@@ -37,7 +37,7 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
     checkRange(uint64_t(c.maxBatches), 1, 16, "AgaaDecoupledCoverage::maxBatches");
     checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
-    checkFlags(c.flags, AGAA_COVERAGE_EXACT, "AgaaDecoupledCoverage::flags");
+    checkFlags(c.flags, AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER, "AgaaDecoupledCoverage::flags");
     if (c.tableSize)
         checkRange(uint64_t(c.tableSize), 16, 1024, "AgaaDecoupledCoverage::tableSize");
     checkReserved(c.reservedTable, "AgaaDecoupledCoverage::reservedTable");

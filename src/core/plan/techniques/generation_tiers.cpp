@@ -155,7 +155,7 @@ std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
 TierAnswer answerFragmentLists(const GenerationQuery& q) {
     if (std::string refusal = listsRefusal(q, AGAA_TIER_FRAGMENT_LISTS); !refusal.empty())
         return {false, refusal};
-    return {true, "fragments are appended to a list for each pixel and merged in the order of their ids."};
+    return {true, "fragments are appended to a list for each pixel and merged from front to back."};
 }
 
 TierAnswer answerFragments(const GenerationQuery& q) {
@@ -172,7 +172,7 @@ TierAnswer answerMaterialLists(const GenerationQuery& q) {
     if (!expandsTriangles(q))
         return {false, noExpansionReason};
     return {true,
-            "fragments carry their materials in a list for each pixel and are merged in the order of their numbers."};
+            "fragments carry their materials in a list for each pixel and are merged from front to back."};
 }
 
 TierAnswer answerInterlock(const GenerationQuery& q) {
