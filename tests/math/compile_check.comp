@@ -103,8 +103,9 @@ void main() {
                           agaa_triangleCoverage(p, acc, x.yzw, x.xy, 64u);
     const agaa_CoverageLookup found = agaa_findCoverage(p, acc, 128u);
     agaa_keptCount = 0u;
+    const agaa_FacetFrame facets = agaa_facetFrame(x.xy, x.yz, x.zw, x.wx, x.x, id & 1u, 1.0);
     agaa_CoveredSurface kept = agaa_CoveredSurface(covered, x.xyz, x.xyz, vec3(0.0, 0.0, 1.0));
-    acc.y += agaa_insertSurface(kept, agaa_MergeRules(4u, 0.9, 0.0, AGAA_RULE_VISIBLE)).share;
+    acc.y += agaa_insertSurface(kept, agaa_MergeRules(4u, 0.9, 0.0, AGAA_RULE_PAPER, facets)).share;
     acc.x += float(agaa_coverageCount(agaa_foundCoverage(found, covered, 64u)));
     acc.y += agaa_isInTableEntry(found.entry, 128u, agaa_coveragePosition(id & 63u, 64u)) ? 1.0 : 0.0;
     acc.z += agaa_isCovered(covered, id & 63u) ? 1.0 : 0.0;

@@ -76,11 +76,12 @@ TEST(HardCase51_OrderOfMerging, SortedFragmentsRepeat) {
         }
         std::vector<std::size_t> order(fragments.size());
         std::iota(order.begin(), order.end(), std::size_t(0));
+        const math_f::agaa_FacetFrame facets = {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0.2f}};
         const auto inserted = [&](const std::vector<std::size_t>& ids) {
             Kept kept;
             for (std::size_t id : ids)
                 kept.agaa_insertSurface(fragments[id],
-                                        {4, 0.9f, 1e-6f, pixel % 2 ? AGAA_RULE_VISIBLE : AGAA_RULE_PAPER});
+                                        {4, 0.9f, 1e-6f, pixel % 2 ? AGAA_RULE_VISIBLE : AGAA_RULE_PAPER, facets});
             std::vector<std::array<unsigned, 2>> masks;
             for (unsigned i = 0; i < kept.agaa_keptCount; ++i)
                 masks.push_back({kept.agaa_kept[i].mask.x, kept.agaa_kept[i].mask.y});

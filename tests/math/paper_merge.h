@@ -37,10 +37,11 @@ inline float overlapOf(const Surface& a, const Surface& b) {
     const Box x = boxOf(a), y = boxOf(b);
     return std::min(x.back, y.back) - std::max(x.front, y.front);
 }
-inline float dotOf(const Surface& a, const Surface& b) {
-    const float x = a.normal[0] * b.normal[0], y = a.normal[1] * b.normal[1], z = a.normal[2] * b.normal[2];
+inline float dotOf(const float (&a)[3], const float (&b)[3]) {
+    const float x = a[0] * b[0], y = a[1] * b[1], z = a[2] * b[2];
     return x + y + z;
 }
+inline float dotOf(const Surface& a, const Surface& b) { return dotOf(a.normal, b.normal); }
 
 // "averaging normals, depths, and material parameters based on a weighted average of the fragment's and surface's
 // coverage"
@@ -71,6 +72,12 @@ struct Rules {
     size_t limit;
     float cosine, slack;
     enum { Visible, Paper, None } rule; // AgaaMerge
+    // "we need a facet normal and depth to merge surfaces" (section 4.3). Returns the angle's cosine.
+    std::function<float(const Surface&, const Surface&)> facetCosine;
+
+    float alignment(const Surface& a, const Surface& b) const {
+        return rule == Visible ? dotOf(a, b) : facetCosine(a, b);
+    }
 };
 
 struct Pixel {
@@ -81,11 +88,11 @@ struct Pixel {
     void insert(Surface in, const Rules& rules) {
         std::optional<size_t> best;
         for (size_t i = 0; i < surfaces.size(); ++i) {
-            if (!(dotOf(surfaces[i], in) > rules.cosine) || !(overlapOf(surfaces[i], in) + rules.slack >= 0.0f))
+            if (!(rules.alignment(surfaces[i], in) > rules.cosine) || !(overlapOf(surfaces[i], in) + rules.slack >= 0.0f))
                 continue;
             if (rules.rule == Rules::Visible && (surfaces[i].coverage & in.coverage).any())
                 continue;
-            const auto rank = [&](size_t k) { return std::pair(dotOf(surfaces[k], in), overlapOf(surfaces[k], in)); };
+            const auto rank = [&](size_t k) { return std::pair(rules.alignment(surfaces[k], in), overlapOf(surfaces[k], in)); };
             if (!best || rank(i) > rank(*best))
                 best = i;
         }

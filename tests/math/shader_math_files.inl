@@ -9,6 +9,7 @@
 #undef AGAA_MATH_TRIANGLE_COVERAGE_GLSL
 #undef AGAA_MATH_COVERAGE_TABLE_GLSL
 #undef AGAA_MATH_DEPTH_PLANE_GLSL
+#undef AGAA_MATH_FACET_NORMAL_GLSL
 #undef AGAA_MATH_STORED_PLANE_GLSL
 #undef AGAA_MATH_TRIANGLE_HULL_GLSL
 #undef AGAA_MATH_DISPLAY_GLSL
@@ -35,6 +36,7 @@
 #include "../../src/shaders/math/triangle_coverage.glsl"
 #include "../../src/shaders/math/coverage_table.glsl"
 #include "../../src/shaders/math/depth_plane.glsl"
+#include "../../src/shaders/math/facet_normal.glsl"
 #include "../../src/shaders/math/stored_plane.glsl"
 #include "../../src/shaders/math/surface_resolve.glsl"
 #include "../../src/shaders/math/triangle_hull.glsl"

@@ -66,8 +66,18 @@ void expectEqual(const KeptSurfaces& got, const Pixel& expected) {
     }
 }
 
+// Planes whose slopes are in the units of view space.
+constexpr math_f::agaa_FacetFrame kFacets = {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 1}};
+
+float facetCosine(const Surface& a, const Surface& b) {
+    const auto normal = [](const Surface& s) {
+        return math_f::agaa_facetNormal(kFacets, {s.depth, s.slopeX, s.slopeY});
+    };
+    return glm::dot(normal(a), normal(b));
+}
+
 KeptSurfaces::agaa_MergeRules shaderRules(const Rules& rules) {
-    return {uint32_t(rules.limit), rules.cosine, rules.slack, uint32_t(rules.rule)};
+    return {uint32_t(rules.limit), rules.cosine, rules.slack, uint32_t(rules.rule), kFacets};
 }
 
 std::vector<Surface> randomPixel(Random& random, uint32_t samples) {
@@ -83,7 +93,7 @@ TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
     for (int run = 0; run < 20000; ++run) {
         const uint32_t samples = 32u << random.below(3);
         const Rules rules = {1 + random.below(8), std::cos(3.14159265f / 16), random.below(2) ? 2e-6f : 0.0f,
-                             decltype(Rules::rule)(random.below(3))};
+                             decltype(Rules::rule)(random.below(3)), facetCosine};
         KeptSurfaces shader{};
         Pixel paper;
         uint32_t lost = 0, mergedFirst = 0, mergedSecond = 0, discarded = 0;
@@ -110,7 +120,7 @@ TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
 TEST(SurfaceMerge, AnswersSayWhatBecomesOfAttributes) {
     Random random{std::mt19937(2)};
     for (int run = 0; run < 5000; ++run) {
-        const Rules rules = {1 + random.below(4), 0.98f, 0.0f, Rules::Paper}; // which averages depths, too
+        const Rules rules = {1 + random.below(4), 0.98f, 0.0f, Rules::Paper, facetCosine}; // which averages depths, too
         KeptSurfaces shader{};
         float value[9] = {};
         for (const Surface& s : randomPixel(random, 64)) {
@@ -131,7 +141,7 @@ TEST(SurfaceMerge, AnswersSayWhatBecomesOfAttributes) {
 // Hard case 51: the result depends on the order, so that a test of the order can fail.
 TEST(SurfaceMerge, DependsOnTheOrder) {
     Random random{std::mt19937(3)};
-    const Rules rules = {4, 0.98f, 0.0f, Rules::Visible};
+    const Rules rules = {4, 0.98f, 0.0f, Rules::Visible, facetCosine};
     uint32_t differing = 0, repeated = 0;
     for (int run = 0; run < 1000; ++run) {
         std::vector<Surface> fragments(8);
@@ -161,7 +171,7 @@ TEST(SurfaceMerge, DependsOnTheOrder) {
 TEST(SurfaceMerge, KeepsCoverage) {
     Random random{std::mt19937(4)};
     for (int run = 0; run < 5000; ++run) {
-        const Rules rules = {1 + random.below(5), 0.98f, 0.0f, decltype(Rules::rule)(random.below(3))};
+        const Rules rules = {1 + random.below(5), 0.98f, 0.0f, decltype(Rules::rule)(random.below(3)), facetCosine};
         KeptSurfaces shader{};
         glm::uvec4 all(0u);
         uint32_t lost = 0;

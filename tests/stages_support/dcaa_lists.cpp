@@ -43,6 +43,20 @@ void setPlane(paper::Surface& s, const math_f::agaa_StoredPlane& stored, uint32_
     s.above = depths.z;
 }
 
+// Returns the facet normal in view space, by three points of the plane. Depths are those of a buffer that is cleared to 1.
+glm::dvec3 facetOf(const ViewSettings& settings, const paper::Surface& s, size_t pixel) {
+    const glm::dmat4 inverse = glm::inverse(glm::dmat4(settings.projection));
+    const auto point = [&](double x, double y) {
+        const double depth = double(s.depth) + double(s.slopeX) * x + double(s.slopeY) * y;
+        const glm::dvec2 at(double(pixel % settings.width) + 0.5 + x, double(pixel / settings.width) + 0.5 + y);
+        const glm::dvec4 p =
+            inverse * glm::dvec4(2.0 * at.x / settings.width - 1, 2.0 * at.y / settings.height - 1, depth, 1);
+        return glm::dvec3(p) / p.w;
+    };
+    const glm::dvec3 origin = point(0, 0);
+    return glm::normalize(glm::cross(point(0.5, 0) - origin, point(0, 0.5) - origin));
+}
+
 } // namespace
 
 std::vector<uint32_t> withoutRests(const std::vector<uint32_t>& words, size_t pixels, size_t wordsOfPixel) {
@@ -91,9 +105,12 @@ void storeSurface(paper::Surface& s, uint32_t samples) {
     setNormal(s, packNormal(s.normal));
 }
 
-paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment) {
+paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment, size_t pixel) {
     return {settings.config.aggregates, settings.config.surfaceCosine, std::fabs(fragment.depth) * 9.5367e-7f,
-            decltype(paper::Rules::rule)(settings.config.coverage.merge)};
+            decltype(paper::Rules::rule)(settings.config.coverage.merge),
+            [settings, pixel](const paper::Surface& a, const paper::Surface& b) {
+                return float(glm::dot(facetOf(settings, a, pixel), facetOf(settings, b, pixel)));
+            }};
 }
 
 void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel,

@@ -46,7 +46,8 @@ template <class Host> Kept keepFrame(typename Host::Context& context, ViewSettin
 
 // Rounds to what memory keeps.
 void storeSurface(paper::Surface& surface, uint32_t samples);
-paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment);
+// pixel: index among those of the view.
+paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment, size_t pixel);
 
 // Masks are equal; numbers differ by steps of what memory keeps at most.
 // leastStep: of slopes near 0.

@@ -63,8 +63,17 @@ void agaa_countInsertion(agaa_Insertion done) {
     agaa_count(AGAA_COUNT_LOST_SAMPLES, done.lost);
 }
 
-agaa_MergeRules agaa_mergeRules() {
-    return agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surfaceCosine, 0.0, AGAA_MERGE_RULE);
+agaa_MergeRules agaa_mergeRules(uvec2 pixel, float depth) {
+    agaa_MergeRules rules;
+    rules.limit = agaa_aggregateLimit();
+    rules.cosine = agaa_frame.surfaceCosine;
+    rules.slack = abs(depth) * 9.5367e-7; // 2^-20
+    rules.rule = AGAA_MERGE_RULE;
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
+    rules.facets = agaa_facetFrame((vec2(pixel) + 0.5) / pixelsPerNdc - 1.0, pixelsPerNdc, agaa_frame.projectionScale,
+                                   agaa_frame.projectionOffset, agaa_frame.projection22, agaa_frame.isOrthographic,
+                                   AGAA_FAR_DEPTH != 0u ? 1.0 : -1.0);
+    return rules;
 }
 
 // Inserts a fragment. Materials and spreads of surfaces are in memory, everything else is in agaa_kept.
@@ -72,8 +81,7 @@ agaa_MergeRules agaa_mergeRules() {
 // material   The fragment's material.
 // spread     The spread of its normals.
 agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stored material, agaa_NormalSpread spread) {
-    agaa_MergeRules rules = agaa_mergeRules();
-    rules.slack = abs(s.plane.x) * 9.5367e-7;
+    agaa_MergeRules rules = agaa_mergeRules(pixel, s.plane.x);
     agaa_Insertion done = agaa_insertSurface(s, rules);
     agaa_countInsertion(done);
     if (done.from != AGAA_NO_SURFACE) {

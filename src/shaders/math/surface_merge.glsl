@@ -8,6 +8,7 @@
 #ifndef AGAA_MATH_SURFACE_MERGE_GLSL
 #define AGAA_MATH_SURFACE_MERGE_GLSL
 #include "coverage_pattern.glsl"
+#include "facet_normal.glsl"
 #include "real.glsl"
 
 #define AGAA_MAX_KEPT 8u
@@ -25,8 +26,8 @@ struct agaa_CoveredSurface {
 
 // Merge rules, the values of AgaaMerge. VISIBLE counts the samples that show a surface. At first a fragment merges only
 // with a surface that shares no sample with it, because two fragments of one continuous surface share none. In a full
-// pixel the cheapest pair merges, and no sample that shows a surface is lost. PAPER is algorithm 1. NONE is PAPER
-// without its second merge.
+// pixel the cheapest pair merges, and no sample that shows a surface is lost. PAPER is algorithm 1, which compares facet
+// normals (section 3.4). NONE is PAPER without its second merge.
 #define AGAA_RULE_VISIBLE 0u
 #define AGAA_RULE_PAPER 1u
 #define AGAA_RULE_NONE 2u
@@ -36,6 +37,7 @@ struct agaa_MergeRules {
     real cosine; // lowest cosine between normals that merge
     real slack;  // distance up to which depths overlap
     uint rule;
+    agaa_FacetFrame facets; // for the rules of the paper
 };
 
 // The merges of one insertion. First, surface `from` merges into `into` and has the share `moved` of the result. Then
@@ -112,6 +114,13 @@ rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 
     return rvec2(share, min(sqrt(l2), real(1.0)));
 }
 
+// Returns the cosine between the normals that the rule compares.
+real agaa_alignment(agaa_CoveredSurface a, agaa_CoveredSurface b, agaa_MergeRules rules) {
+    if (rules.rule == AGAA_RULE_VISIBLE)
+        return dot(a.normal, b.normal);
+    return dot(agaa_facetNormal(rules.facets, a.plane), agaa_facetNormal(rules.facets, b.plane));
+}
+
 // Returns the surface with aligned normal and overlapping depths (section 3.2). The closest normal wins, then the
 // largest overlap.
 uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
@@ -119,7 +128,7 @@ uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
     real closest = real(0.0);
     real largest = real(0.0);
     for (uint i = 0u; i < agaa_keptCount; ++i) {
-        const real cosine = dot(agaa_kept[i].normal, s.normal);
+        const real cosine = agaa_alignment(agaa_kept[i], s, rules);
         const real overlap = agaa_depthOverlap(agaa_kept[i], s);
         const bool mayMerge = rules.rule != AGAA_RULE_VISIBLE || agaa_coverageCount(agaa_kept[i].mask & s.mask) == 0u;
         if (mayMerge && cosine > rules.cosine && overlap + rules.slack >= real(0.0) &&
