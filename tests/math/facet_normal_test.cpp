@@ -79,9 +79,10 @@ TEST(FacetNormal, IsThatOfThePlane) {
         normal *= glm::dot(normal, toEye) < 0 ? -1.0 : 1.0;
         const Plane plane = planeOf(view, through, normal);
         const double sign = isReversed ? -1 : 1;
-        const auto d = math_d::agaa_facetNormal(
-            math_d::agaa_facetFrame(plane.ndc, view.size * 0.5, view.scale, view.offset, view.p22, view.isOrthographic, sign),
-            plane.stored * sign);
+        const auto d =
+            math_d::agaa_facetNormal(math_d::agaa_facetFrame(plane.ndc, view.size * 0.5, view.scale, view.offset,
+                                                             view.p22, view.isOrthographic, sign),
+                                     plane.stored * sign);
         const auto f = math_f::agaa_facetNormal(
             math_f::agaa_facetFrame(glm::vec2(plane.ndc), glm::vec2(view.size * 0.5), glm::vec2(view.scale),
                                     glm::vec2(view.offset), float(view.p22), view.isOrthographic, float(sign)),

@@ -88,11 +88,14 @@ struct Pixel {
     void insert(Surface in, const Rules& rules) {
         std::optional<size_t> best;
         for (size_t i = 0; i < surfaces.size(); ++i) {
-            if (!(rules.alignment(surfaces[i], in) > rules.cosine) || !(overlapOf(surfaces[i], in) + rules.slack >= 0.0f))
+            if (!(rules.alignment(surfaces[i], in) > rules.cosine) ||
+                !(overlapOf(surfaces[i], in) + rules.slack >= 0.0f))
                 continue;
             if (rules.rule == Rules::Visible && (surfaces[i].coverage & in.coverage).any())
                 continue;
-            const auto rank = [&](size_t k) { return std::pair(rules.alignment(surfaces[k], in), overlapOf(surfaces[k], in)); };
+            const auto rank = [&](size_t k) {
+                return std::pair(rules.alignment(surfaces[k], in), overlapOf(surfaces[k], in));
+            };
             if (!best || rank(i) > rank(*best))
                 best = i;
         }

@@ -162,12 +162,14 @@ TYPED_TEST_P(CarriedCases, SpreadsAreThoseOfTheNormalsThatMerged) {
         }
 }
 
-// The numbers that the host gives decide the order, and where they are the same, what fragments carry: the order of the
-// draws does not.
+// With AGAA_COVERAGE_DRAW_ORDER the numbers that the host gives decide the order, and where they are the same, what
+// fragments carry: the order of the draws does not.
 TYPED_TEST_P(CarriedCases, NumbersThenContentDecideTheOrder) {
     Shot shot{.triangles = tangle(400), .change = addAmbient}, reversed = shot;
     std::reverse(reversed.triangles.begin(), reversed.triangles.end());
-    ViewSettings settings = carriedSettings(64, 2), turned = settings;
+    ViewSettings settings = carriedSettings(64, 2);
+    settings.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER;
+    ViewSettings turned = settings;
     const Shown first = this->render(settings, shot);
     EXPECT_NE(this->render(settings, reversed).rgb, first.rgb);
     turned.surface = "s.primitive = 399u - s.primitive;";

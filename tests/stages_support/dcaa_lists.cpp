@@ -43,7 +43,8 @@ void setPlane(paper::Surface& s, const math_f::agaa_StoredPlane& stored, uint32_
     s.above = depths.z;
 }
 
-// Returns the facet normal in view space, by three points of the plane. Depths are those of a buffer that is cleared to 1.
+// Returns the facet normal in view space, by three points of the plane. Depths are those of a buffer that is cleared
+// to 1.
 glm::dvec3 facetOf(const ViewSettings& settings, const paper::Surface& s, size_t pixel) {
     const glm::dmat4 inverse = glm::inverse(glm::dmat4(settings.projection));
     const auto point = [&](double x, double y) {
@@ -76,7 +77,8 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
     for (uint32_t p = 0; p < pixels; ++p) {
         std::vector<uint32_t>& list = kept.lists.emplace_back();
         for (uint32_t at = fragments.empty() ? 0 : fragments[countWords + p]; at != 0;) {
-            const uint32_t record = countWords + pixels + (at - 1) * (AGAA_FRAGMENT_MASK_AT + masks + buffers.payloadWords);
+            const uint32_t record =
+                countWords + pixels + (at - 1) * (AGAA_FRAGMENT_MASK_AT + masks + buffers.payloadWords);
             list.push_back(fragments[record]);
             at = fragments[record + AGAA_FRAGMENT_NEXT_AT];
         }

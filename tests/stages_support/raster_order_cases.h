@@ -28,7 +28,8 @@ protected:
 };
 TYPED_TEST_SUITE_P(RasterOrderCases);
 
-// Merging in order is bit by bit equal to merging lists in the order of the draws, if ids ascend with the draws. One surface of 128 samples leaves a word of its texels unused.
+// Merging in order is bit by bit equal to merging lists in the order of the draws, if ids ascend with the draws. One
+// surface of 128 samples leaves a word of its texels unused.
 TYPED_TEST_P(RasterOrderCases, MergesAsLists) {
     struct Case {
         uint32_t samples, surfaces, merge;

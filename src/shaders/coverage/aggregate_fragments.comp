@@ -87,23 +87,28 @@ uint agaa_countShown(uint head, uint least) {
     return count;
 }
 
-// Adds up to agaa_maxClustered fragments, those that show at most samples, and the first of equal ones. Returns their
-// number.
+// Adds up to agaa_maxClustered fragments, those that show at most samples. Of equal ones it takes every so many, so that
+// no depth is left out. Returns their number.
 uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, uint shown) {
     // All fragments with this number of samples have room: at most 32 fragments have 4 of 128 samples.
     uint enough = 1u;
+    uint smaller = 0u; // fragments that show at one sample less
     while (enough < 4u && shown > agaa_maxClustered) {
         ++enough;
+        smaller = shown;
         shown = agaa_countShown(head, enough);
+        smaller -= shown;
     }
     uint room = agaa_maxClustered - shown; // for smaller fragments
+    uint passed = 0u;
     uint count = 0u;
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
         uint bits = agaa_coverageCount(agaa_maskOf(record));
-        bool isSmaller = bits + 1u == enough && bits != 0u && room != 0u;
-        if ((bits >= enough || isSmaller) && count < agaa_maxClustered) {
-            room -= isSmaller ? 1u : 0u;
+        bool isSmaller = bits + 1u == enough && bits != 0u;
+        bool isTaken = isSmaller && (passed + 1u) * room / smaller > passed * room / smaller;
+        passed += isSmaller ? 1u : 0u;
+        if ((bits >= enough || isTaken) && count < agaa_maxClustered) {
             agaa_addFragment(samples, pixel, count, fragment);
             agaa_setAggregate(record, count);
             ++count;

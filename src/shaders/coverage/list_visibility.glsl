@@ -18,7 +18,6 @@ uint agaa_nearestFragment[AGAA_SAMPLES];
 void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
     uvec4 mask = agaa_maskOf(record);
     agaa_DepthPlane plane = agaa_keptPlane(record);
-    uint id = agaa_fragments.words[record];
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word) {
         uint left = mask[word];
         while (left != 0u) {
@@ -29,8 +28,7 @@ void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
             uint other = agaa_nearestFragment[i];
             if (isDecided) {
                 mask[word] ^= other != fragment ? bit : 0u;
-            } else if (other == 0u || depth < agaa_nearestDepth[i] ||
-                       (depth == agaa_nearestDepth[i] && id < agaa_fragments.words[agaa_record(other)])) {
+            } else if (other == 0u || depth < agaa_nearestDepth[i]) {
                 agaa_nearestDepth[i] = depth;
                 agaa_nearestFragment[i] = fragment;
             }
@@ -41,7 +39,7 @@ void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
         agaa_setMask(record, mask);
 }
 
-// Reduces the mask of each fragment to the samples that show it. Of equal depths the lower id shows. Returns the first
+// Reduces the mask of each fragment to the samples that show it. Of equal depths the first of the list shows. Returns the first
 // fragment.
 uint agaa_resolveList(uvec2 pixel) {
     uint head = agaa_sortList(pixel);

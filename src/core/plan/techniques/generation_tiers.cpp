@@ -171,8 +171,7 @@ TierAnswer answerMaterialLists(const GenerationQuery& q) {
         return {false, "the device has no atomics in fragment shaders."};
     if (!expandsTriangles(q))
         return {false, noExpansionReason};
-    return {true,
-            "fragments carry their materials in a list for each pixel and are merged from front to back."};
+    return {true, "fragments carry their materials in a list for each pixel and are merged from front to back."};
 }
 
 TierAnswer answerInterlock(const GenerationQuery& q) {
