@@ -40,7 +40,8 @@ agaa_SortedRuns agaa_mergeRuns(uint head, uint width) {
         }
         uint rightCount = right != 0u ? width : 0u;
         while (leftCount + rightCount != 0u) {
-            bool isRight = leftCount == 0u || (rightCount != 0u && agaa_isBefore(agaa_record(right), agaa_record(left)));
+            bool isRight =
+                leftCount == 0u || (rightCount != 0u && agaa_isBefore(agaa_record(right), agaa_record(left)));
             uint taken = isRight ? right : left;
             uint record = agaa_record(taken);
             uint next = agaa_nextOf(record);

@@ -39,8 +39,8 @@ void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
         agaa_setMask(record, mask);
 }
 
-// Reduces the mask of each fragment to the samples that show it. Of equal depths the first of the list shows. Returns the first
-// fragment.
+// Reduces the mask of each fragment to the samples that show it. Of equal depths the first of the list shows.
+// Returns the first fragment.
 uint agaa_resolveList(uvec2 pixel) {
     uint head = agaa_sortList(pixel);
     agaa_keepPlanes(pixel, head);

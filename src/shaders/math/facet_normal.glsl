@@ -5,8 +5,8 @@
 #define AGAA_MATH_FACET_NORMAL_GLSL
 #include "real.glsl"
 
-// The normal of a plane is, up to its length, slope.x * alongX + slope.y * alongY + depth * perDepth + level. Slopes are
-// changes of depth per pixel, and the depth is that at the pixel's centre, away from the eye.
+// The normal of a plane is, up to its length, slope.x * alongX + slope.y * alongY + depth * perDepth + level. Slopes
+// are changes of depth per pixel, and the depth is that at the pixel's centre, away from the eye.
 struct agaa_FacetFrame {
     rvec3 alongX;
     rvec3 alongY;
@@ -30,8 +30,8 @@ agaa_FacetFrame agaa_facetFrame(rvec2 ndc, rvec2 pixelsPerNdc, rvec2 scale, rvec
     return facets;
 }
 
-// Returns the unit normal of a plane, or (0, 0, 0) if it has none. plane: depth at the pixel's centre, and its change per
-// pixel in x and in y.
+// Returns the unit normal of a plane, or (0, 0, 0) if it has none.
+// plane   Depth at the pixel's centre, and its change per pixel in x and in y.
 rvec3 agaa_facetNormal(agaa_FacetFrame facets, rvec3 plane) {
     const rvec3 n =
         (facets.alongX * plane.y + facets.alongY * plane.z) + (facets.perDepth * plane.x + facets.level);

@@ -1,5 +1,5 @@
-// Merges the fragments of a pixel into a few surfaces, in the order of their insertion. A surface has a coverage mask, one
-// depth plane and one normal.
+// Merges the fragments of a pixel into a few surfaces, in the order of their insertion. A surface has a coverage mask,
+// one depth plane and one normal.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, sections 3.2 and 3.3, algorithm 1; for the cost of
 // merging, Ward 1963, "Hierarchical Grouping to Optimize an Objective Function".
 //
@@ -26,8 +26,8 @@ struct agaa_CoveredSurface {
 
 // Merge rules, the values of AgaaMerge. VISIBLE counts the samples that show a surface. At first a fragment merges only
 // with a surface that shares no sample with it, because two fragments of one continuous surface share none. In a full
-// pixel the cheapest pair merges, and no sample that shows a surface is lost. PAPER is algorithm 1, which compares facet
-// normals (section 3.4). NONE is PAPER without its second merge.
+// pixel the cheapest pair merges, and no sample that shows a surface is lost. PAPER is algorithm 1, which compares
+// facet normals (section 3.4). NONE is PAPER without its second merge.
 #define AGAA_RULE_VISIBLE 0u
 #define AGAA_RULE_PAPER 1u
 #define AGAA_RULE_NONE 2u
