@@ -108,6 +108,19 @@ TEST(HardCase43_InfiniteLuminance, DemandsTheMostSamples) {
     }
 }
 
+// One pass may flush denormals and another keep them. A cutoff is the same cutoff in both.
+TEST(HardCase56_Denormals, AlphaAndCutoffsAreZero) {
+    Random random(156);
+    for (int i = 0; i < 1000; ++i) {
+        const float denormal = std::bit_cast<float>((1 + random.below((1u << 23) - 1)) | (random.below(2) << 31));
+        ASSERT_EQ(std::bit_cast<unsigned>(math_f::agaa_sanitiseAlpha(denormal)), 0u) << denormal;
+    }
+    EXPECT_EQ(math_f::agaa_sanitiseAlpha(FLT_MIN), FLT_MIN);
+    EXPECT_EQ(math_f::agaa_sanitiseAlpha(-FLT_MIN), -FLT_MIN);
+    for (const float bad : {nanF(), -nanF(), infinityF(), -infinityF()})
+        EXPECT_EQ(math_f::agaa_sanitiseAlpha(bad), 0.0f);
+}
+
 TEST(HardCase56_FoldedGuards, SurviveFastMath) {
     Random random(256);
     HardCaseFigures figures(56, "share of NaN and infinities that pass", 0.0);

@@ -191,7 +191,8 @@ uint agaa_demands = 0u; // of the current surface, by agaa_applyFacts()
 
 uint agaa_demandsOfMask(AgaaSurfaceInput s) {
 #if AGAA_ALPHA_MASKED
-    return AGAA_FACT_ALPHA_MASKED | (s.alphaCutoff > 0.0 ? AGAA_FACT_NO_CUTOUTS : AGAA_FACT_NO_TRANSLUCENCY);
+    bool isCutout = agaa_sanitiseAlpha(s.alphaCutoff) > 0.0;
+    return AGAA_FACT_ALPHA_MASKED | (isCutout ? AGAA_FACT_NO_CUTOUTS : AGAA_FACT_NO_TRANSLUCENCY);
 #else
     return 0u;
 #endif

@@ -9,9 +9,12 @@
 #include "real.glsl"
 #include "sanitise.glsl"
 
-// Returns 0 for non-finite alpha, so that the gradients of its neighbours in the quad stay small.
+// Returns 0 for non-finite alpha, so that the gradients of its neighbours in the quad stay small. It returns 0 for
+// denormal alpha, too: programs, and threads of software rasterisers, may flush denormals or keep them, and the
+// comparison of a cutoff with 0 must not depend on that.
 real agaa_sanitiseAlpha(real alpha) {
-    return agaa_isFinite(alpha) ? clamp(alpha, -AGAA_MAX_HALF, AGAA_MAX_HALF) : real(0.0);
+    const bool isZero = !agaa_isFinite(alpha) || abs(alpha) < AGAA_MIN_NORMAL;
+    return isZero ? real(0.0) : clamp(alpha, -AGAA_MAX_HALF, AGAA_MAX_HALF);
 }
 
 // Cut-outs: inside a texel of the target the edge of a cut-out is nearly straight, so alpha is a simple function of

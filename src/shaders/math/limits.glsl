@@ -4,5 +4,6 @@
 #include "real.glsl"
 
 #define AGAA_MAX_HALF real(65504.0) // the largest finite value of 16 bits
+#define AGAA_MIN_NORMAL real(1.17549435e-38) // the smallest float that is not denormal
 
 #endif
