@@ -18,7 +18,8 @@ std::string matrixText(const glm::mat4& m) {
 
 } // namespace
 
-std::string fetchText(const ViewSettings& settings, const char* storage, const char* more) {
+std::string fetchText(const ViewSettings& settings, const char* storage, const char* more,
+                      const char* moreOfTriangles) {
     return std::string("struct HostMaterial { vec4 diffuse, specular, emissive, normal, "
                        "geometricNormal; };\n") +
            storage + "const mat4 hostClip = " + matrixText(settings.projection * settings.view) +
@@ -32,6 +33,10 @@ void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, ino
     a = hostVertex(draw, 3u * primitive);
     b = hostVertex(draw, 3u * primitive + 1u);
     c = hostVertex(draw, 3u * primitive + 2u);
+    HostMaterial h = hostMaterial(primitive);
+    vec2 spare = vec2(h.specular.w, h.emissive.w);
+)" + moreOfTriangles +
+           R"(
 }
 void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
     HostMaterial h = hostMaterial(p.primitive);
@@ -40,6 +45,7 @@ void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
     m.emissive = h.emissive.xyz;
     m.normal = h.normal.xyz;
     m.alpha2 = h.normal.w;
+    vec2 spare = vec2(h.specular.w, h.emissive.w);
 )" + more + "}\n";
 }
 

@@ -17,6 +17,7 @@ struct Shot {
     // Of the tier ids: further text of agaaHostMaterial(); primitives and draws that are announced,
     // 0 for all; AGAA_FETCH_…
     const char* material = "";
+    const char* corners = ""; // further text of agaaHostTriangle()
     uint32_t announced = 0;
     uint32_t announcedDraws = 0;
     uint64_t fetchFlags = 0;

@@ -50,7 +50,8 @@ struct ViewSettings {
         OwnDepth,       // writes gl_FragDepth and discards
         ThirdUnfetched, // says of each third triangle that it cannot be fetched
     } shader = Shader::Material;
-    // GLSL statements in one line that change `AgaaSurfaceInput s` last; `position` is a plain fragment input.
+    // GLSL statements in one line that change `AgaaSurfaceInput s` last; `position` is a plain fragment input, `spare`
+    // has Material::specular.w and emissive.w.
     const char* surface = "";
     Mistake mistake;
     void (*build)(PlanBuilder&) = nullptr; // of the plan, in place of the technique's

@@ -23,11 +23,13 @@ HostMaterial hostMaterial(uint primitive) {
 )";
 
 IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
-    : text_(fetchText(settings, storageText, shot.material)), function_(fetchFunction(settings, text_, shot)) {
+    : text_(fetchText(settings, storageText, shot.material, shot.corners)), function_(fetchFunction(settings, text_, shot)) {
     settings.chained = &function_;
     view_ = std::make_unique<StageView>(context, settings);
     view_->setTriangles(shot.triangles);
 }
+
+void IdsView::setTriangles(const std::vector<Triangle>& triangles) { view_->setTriangles(triangles); }
 
 IdsView::~IdsView() { sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, 0); }
 

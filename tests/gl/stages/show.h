@@ -14,6 +14,7 @@ public:
     IdsView(StageContext& context, ViewSettings settings, const Shot& shot);
     ~IdsView();
     StageView& view() { return *view_; }
+    void setTriangles(const std::vector<Triangle>& triangles); // no more than the shot has
     void bind(AgaaGlFrame&) const;
 
 private:

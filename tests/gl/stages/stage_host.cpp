@@ -111,6 +111,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) flat in vec4 constants[5];
 layout(location = 6) flat in uvec2 drawn;
 void main() {
+    vec2 spare = vec2(constants[1].w, constants[2].w);
     AgaaSurfaceInput s = agaa_surfaceInput();
     s.position = position;
     s.diffuse = constants[0].xyz;

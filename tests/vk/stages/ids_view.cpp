@@ -22,12 +22,16 @@ ViewSettings settingsFor(uint32_t n, uint32_t c, uint32_t tier) {
 }
 
 IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
-    : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT), text_(fetchText(settings, storageText, shot.material)),
+    : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT), text_(fetchText(settings, storageText, shot.material, shot.corners)),
       function_(fetchFunction(settings, text_, shot)) {
     function_.descriptorSetLayout = (uint64_t)set_.layout();
     settings.chained = &function_;
     view_ = std::make_unique<StageView>(context, settings);
-    view_->setTriangles(shot.triangles);
+    setTriangles(shot.triangles);
+}
+
+void IdsView::setTriangles(const std::vector<Triangle>& triangles) {
+    view_->setTriangles(triangles);
     set_.write({view_->vertices(), view_->materials()});
 }
 

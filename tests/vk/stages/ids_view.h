@@ -15,6 +15,7 @@ public:
     // Of the shot its triangles and what it says of the tier ids.
     IdsView(StageContext& context, ViewSettings settings, const Shot& shot);
     StageView& view() { return *view_; }
+    void setTriangles(const std::vector<Triangle>& triangles); // no more than the shot has
     void bind(AgaaVkFrame& vk) const { vk.functionSet = (uint64_t)set_.get(); }
     void render(const AgaaFrame& frame);
     harness::Image render(const AgaaLight& light = sun(), const AgaaShadow* shadow = nullptr);

@@ -121,6 +121,7 @@ layout(location = 2) in vec2 uv;
 layout(location = 3) flat in uint instance;
 void main() {
     Material m = materials.data[triangle];
+    vec2 spare = vec2(m.specular.w, m.emissive.w);
     AgaaSurfaceInput s = agaa_surfaceInput();
     s.position = position;
     s.geometricNormal = m.geometricNormal.xyz;
