@@ -19,7 +19,7 @@ namespace agaa::test {
 enum class OrderEffect {
     None,     // bitwise equal
     Rounding, // sums of fragments in the order of the draws round differently
-    Merging,  // other fragments merge (hard case 67)
+    Merging,  // other fragments merge
 };
 inline OrderEffect orderEffect(const TechniqueTier& tier) {
     const bool isDcaa = std::strcmp(tier.technique, "dcaa") == 0;
