@@ -1,6 +1,7 @@
 #include "gl/program.h"
 
 #include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/glsl/glsl_text.h"
 #include "gl/context.h"
 #include "gl/errors.h"
@@ -12,9 +13,9 @@ namespace agaa::gl {
 
 namespace {
 
-// Returns the first line of a log as the end of a sentence.
+// Returns the first line of a log as the end of a sentence. Names and text of the host are in the log.
 std::string firstLine(const std::string& log) {
-    std::string line = log.substr(0, log.find('\n'));
+    const std::string line = printable(log.substr(0, log.find('\n')), 500);
     if (line.empty())
         return "the driver gives no reason.";
     return line.ends_with('.') ? line : line + '.';

@@ -38,13 +38,42 @@ bool isSameName(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, {}, plain, plain);
 }
 
-std::string printable(const char* name) {
-    std::string text;
-    for (const char* at = name; *at && at - name < 64; ++at) {
-        const auto byte = static_cast<unsigned char>(*at);
-        text += byte < 0x20 || byte == 0x7F ? format("\\x%02X", byte) : std::string(1, *at);
+// Returns the length of the UTF-8 character at the beginning of a text; 0 if there is none, or if it is a control
+// character.
+static size_t characterLength(std::string_view text) {
+    const auto byteAt = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const uint32_t first = byteAt(0);
+    if (first < 0x80)
+        return first >= 0x20 && first != 0x7F ? 1 : 0;
+    const size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    uint32_t code = first & (0xFFu >> (length + 1));
+    for (size_t i = 1; i < length; ++i) {
+        if ((byteAt(i) & 0xC0) != 0x80)
+            return 0;
+        code = code << 6 | (byteAt(i) & 0x3F);
     }
-    return text;
+    // Two bytes encode control characters below 0xA0. Longer codes must not be shorter ones in disguise.
+    constexpr uint32_t least[] = {0, 0, 0xA0, 0x800, 0x10000};
+    const bool isSurrogate = code >= 0xD800 && code <= 0xDFFF;
+    const bool isLineBreak = code == 0x2028 || code == 0x2029;
+    return first >= 0xC2 && first <= 0xF4 && code >= least[length] && code <= 0x10FFFF && !isSurrogate && !isLineBreak
+               ? length
+               : 0;
+}
+
+std::string printable(std::string_view text, size_t maxBytes) {
+    std::string out;
+    for (size_t at = 0; at < text.size();) {
+        const size_t length = std::max<size_t>(characterLength(text.substr(at)), 1);
+        if (at + length > maxBytes)
+            break;
+        if (characterLength(text.substr(at)) == 0)
+            out += format("\\x%02X", static_cast<unsigned char>(text[at]));
+        else
+            out += text.substr(at, length);
+        at += length;
+    }
+    return out;
 }
 
 bool isTier(uint32_t tier) {

@@ -12,8 +12,9 @@ namespace agaa {
 // Compares names that hosts pass. '-' equals '_'.
 bool isSameName(std::string_view a, std::string_view b);
 
-// Returns a name of a host for a sentence: at most 64 bytes, with control characters as "\\x0A".
-std::string printable(const char* name);
+// Returns text of a host or a driver for a sentence: UTF-8 of one line. Control characters and bytes that are not UTF-8
+// become "\\x0A". Text behind maxBytes is left out.
+std::string printable(std::string_view text, size_t maxBytes = 64);
 
 bool isTier(uint32_t tier);
 const char* tierName(uint32_t tier);

@@ -1,6 +1,7 @@
 #include "core/glsl/compile_glsl.h"
 
 #include "core/base/error.h"
+#include "core/base/names.h"
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -16,13 +17,14 @@ struct Glslang {
     ~Glslang() { glslang::FinalizeProcess(); }
 };
 
+// Names and text of the host are in the log.
 std::string firstLine(const char* log) {
     const std::string text(log);
     const size_t begin = text.starts_with("ERROR: ") ? 7 : 0;
     std::string line = text.substr(begin, text.find('\n') - begin);
     while (!line.empty() && (line.back() == '.' || line.back() == ' '))
         line.pop_back();
-    return line;
+    return printable(line, 500);
 }
 
 } // namespace

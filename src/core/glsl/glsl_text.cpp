@@ -2,6 +2,7 @@
 
 #include "core/base/embedded.h"
 #include "core/base/error.h"
+#include "core/glsl/expression_depth.h"
 
 #include <algorithm>
 #include <regex>
@@ -65,6 +66,9 @@ std::string coverageGlsl() {
 
 static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,
                             const std::string& head) {
+    if (expressionDepth(pass.compute().hostCode) > maxExpressionDepth)
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s has more than %zu operators and brackets within each other.",
+                                                 pass.compute().hostCodeOrigin.c_str(), maxExpressionDepth));
     std::string text;
     if (pass.compute().text.empty())
         appendGlsl(text, pass.compute().file, seen, pass.compute().hostCode);

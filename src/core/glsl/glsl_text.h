@@ -19,9 +19,10 @@ void appendGlslText(std::string& out, const std::string& text, std::set<std::str
 // Returns the coverage functions of alpha-masked surfaces, for shaders of the host (agaaGetCoverageGlsl).
 std::string coverageGlsl();
 
-// Returns the text of a compute pass for Vulkan, with specialisation constants.
+// Returns the text of a compute pass for Vulkan, with specialisation constants. Throws Error if the host's text is too
+// deep for compilers (expression_depth.h).
 std::string passGlsl(const Pass& pass);
-// Returns the text for OpenGL, with the values of the pass's constants.
+// Returns the text for OpenGL, with the values of the pass's constants. Throws the same error.
 std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion);
 
 } // namespace agaa
