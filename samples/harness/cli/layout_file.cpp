@@ -2,6 +2,7 @@
 
 #include "cli/arguments.h"
 #include "render/reference.h"
+#include "scene/shortened.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +19,7 @@ static uint32_t indexOf(const std::string& name, std::initializer_list<const cha
             return index;
         ++index;
     }
-    throw BadArgument(file + ": \"" + name + "\" is not known in a layout.");
+    throw BadArgument(file + ": \"" + shortened(name) + "\" is not known in a layout.");
 }
 
 // Returns a string that lives as long as the process, because AgaaLayoutAttribute points to it.
@@ -62,7 +63,7 @@ AgaaLayout readLayout(const std::string& nameOrFile) {
     try {
         return parseLayout(nlohmann::json::parse(stream), nameOrFile);
     } catch (const nlohmann::json::exception& error) {
-        throw BadArgument(nameOrFile + ": not a layout (" + error.what() + ").");
+        throw BadArgument(nameOrFile + ": not a layout (" + shortened(error.what()) + ").");
     }
 }
 

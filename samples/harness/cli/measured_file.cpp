@@ -1,5 +1,7 @@
 #include "cli/measured_file.h"
 
+#include "scene/shortened.h"
+
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -60,7 +62,7 @@ MeasuredFile::MeasuredFile(const std::string& path) {
         for (const json& row : data.at("measured"))
             settings_.push_back(settingsOf(row, names_));
     } catch (const std::exception& error) {
-        throw std::runtime_error("\"" + path + "\" is no file of measured settings (" + error.what() + ").");
+        throw std::runtime_error("\"" + path + "\" is no file of measured settings (" + shortened(error.what()) + ").");
     }
     if (settings_.empty())
         throw std::runtime_error("\"" + path + "\" has no measured settings.");

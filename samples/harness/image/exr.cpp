@@ -22,10 +22,11 @@ constexpr std::array<const char*, 3> channelNames = {"R", "G", "B"};
 constexpr int64_t maxSide = 1 << 16;
 constexpr int64_t maxPixels = int64_t(1) << 28;
 
-// The library's messages may have several sentences and line breaks. The result is one sentence.
+// The library's messages may have several sentences, line breaks, and names that a damaged file has. The result is one
+// sentence.
 std::string oneSentence(std::string text) {
     for (char& c : text) {
-        if (c == '\n' || c == '\r')
+        if (static_cast<unsigned char>(c) < ' ' || c == 0x7F)
             c = ' ';
     }
     while (!text.empty() && (text.back() == '.' || text.back() == ' '))

@@ -2,12 +2,13 @@
 // nested values, and fails at the consequences of an extension before it reports the extension.
 #pragma once
 
+#include "scene/shortened.h"
+
 #include <tiny_gltf.h>
 
 #include <array>
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace harness {
 
@@ -18,8 +19,5 @@ inline constexpr std::array knownExtensions{"KHR_lights_punctual", "KHR_material
 // image file, and is empty if the image lies in a buffer or its file is missing or empty. Throws std::runtime_error
 // without the name of the file.
 tinygltf::Model readGltfModel(const std::filesystem::path& path);
-
-// Returns a file's text for a sentence: control characters become spaces, and long words, such as data URIs, are cut.
-std::string shortened(std::string_view text);
 
 } // namespace harness
