@@ -168,6 +168,12 @@ class Arguments(unittest.TestCase):
             with open(path, "w") as file:
                 file.write("{")
             self.check(["memory", "--layout", path], 2)
+            for channels in ("1e38", "3.7", "-1", "4294967299"):
+                with open(path, "w") as file:
+                    file.write('{"attributes": [{"semantic": "diffuse", "channels": %s, "sampleBits": 8},'
+                               '{"semantic": "normal", "channels": 3, "sampleBits": 16}]}' % channels)
+                self.check(["memory", "--layout", path], 2)
+                self.assertIn("is no count", harness.run("memory", "--layout", path).stderr)
 
     def test_help_exits_with_0(self):
         self.assertEqual(harness.run("--help").returncode, 0)

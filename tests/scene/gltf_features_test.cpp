@@ -4,6 +4,8 @@
 #include "scene_support.h"
 
 #include <limits>
+#include <sys/stat.h>
+#include <unistd.h>
 
 using namespace harness;
 using namespace scene_test;
@@ -185,6 +187,30 @@ TEST(GltfFeatures, FarVerticesHaveTheirOwnOrigin) {
         EXPECT_LE(glm::length(v.position), 1);
     expectNear(worldPosition(scene, scene.instances[0], 1), {100001, 0, 0}, 1e-9);
     expectNear(scene.boundsMax, {100001, 1, 0}, 1e-9);
+}
+
+// A directory has 2^63 - 1 bytes for tinygltf; a pipe would make it wait.
+TEST(GltfFeatures, BuffersAreRegularFiles) {
+    const std::filesystem::path folder(testing::TempDir());
+    const std::string pipe = "gltf_pipe_" + std::to_string(getpid());
+    ASSERT_EQ(mkfifo((folder / pipe).c_str(), 0600), 0);
+    for (const std::string& uri : {std::string("."), std::string("\\u0000"), std::string("x/.."),
+                                   std::string("\\u0000:x"), std::string("/dev/zero"), pipe, std::string()}) {
+        std::ofstream(folder / "no_file.gltf")
+            << R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":42,"uri":")" << uri << R"("}]})";
+        expectError(folder / "no_file.gltf", uri.empty() ? "uri" : "not found");
+    }
+    std::filesystem::remove(folder / pipe);
+}
+
+TEST(GltfFeatures, IndicesOfLightsAreIndices) {
+    GltfFile file;
+    file.add(kCorners, "VEC2", kFloat);
+    for (const char* index : {"1e38", "-1e38", "1", "-1", "2147483648", "\"0\""})
+        expectError(file.writeGlb("lamp_index", R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}},)"
+                                                R"("nodes":[{"extensions":{"KHR_lights_punctual":{"light":)" +
+                                                    std::string(index) + R"(}}}],"scenes":[{"nodes":[0]}])"),
+                    "lights");
 }
 
 // Every number of a file is finite in the scene, or one sentence refuses the file.

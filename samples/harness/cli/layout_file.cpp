@@ -1,6 +1,7 @@
 #include "cli/layout_file.h"
 
 #include "cli/arguments.h"
+#include "cli/json_numbers.h"
 #include "render/reference.h"
 #include "scene/shortened.h"
 
@@ -37,10 +38,10 @@ static AgaaLayout parseLayout(const nlohmann::json& json, const std::string& fil
         AgaaLayoutAttribute& a = layout.attributes[layout.attributeCount++];
         a.semantic = indexOf(source.at("semantic").get<std::string>(),
                              {"diffuse", "specular", "normal", "roughness", "emissive", "custom"}, file);
-        a.channels = source.at("channels").get<uint32_t>();
-        a.sampleBits = source.at("sampleBits").get<uint32_t>();
-        a.aggregateBits = source.value("aggregateBits", 0u);
-        a.chromaBits = source.value("chromaBits", 0u);
+        a.channels = countOf<uint32_t>(source.at("channels"));
+        a.sampleBits = countOf<uint32_t>(source.at("sampleBits"));
+        a.aggregateBits = countOf<uint32_t>(source.value("aggregateBits", nlohmann::json(0u)));
+        a.chromaBits = countOf<uint32_t>(source.value("chromaBits", nlohmann::json(0u)));
         a.encoding = indexOf(source.value("encoding", std::string("unorm")), {"unorm", "ycbcr", "folded"}, file);
         a.range = source.value("range", 1.0f);
         a.filter = indexOf(source.value("filter", std::string("mean")), {"mean", "normal", "none"}, file);
@@ -62,7 +63,9 @@ AgaaLayout readLayout(const std::string& nameOrFile) {
                           "\"; it can be paper16, precise, dcaa28, reference or a readable JSON file.");
     try {
         return parseLayout(nlohmann::json::parse(stream), nameOrFile);
-    } catch (const nlohmann::json::exception& error) {
+    } catch (const BadArgument&) {
+        throw;
+    } catch (const std::exception& error) {
         throw BadArgument(nameOrFile + ": not a layout (" + shortened(error.what()) + ").");
     }
 }

@@ -1,11 +1,11 @@
 #include "cli/measured_file.h"
 
+#include "cli/json_numbers.h"
 #include "scene/shortened.h"
 
 #include <nlohmann/json.hpp>
 
 #include <fstream>
-#include <limits>
 #include <stdexcept>
 
 namespace harness {
@@ -25,13 +25,6 @@ uint32_t tierOf(const json& row) {
     if (!name.empty() && agaaTierFromName(name.c_str(), &tier) != AGAA_OK)
         throw std::runtime_error("\"" + name + "\" is no tier.");
     return tier;
-}
-
-// The cast to an unsigned number needs a non-negative integer.
-template <class T> T countOf(const json& number) {
-    if (!number.is_number_unsigned() || number.get<uint64_t>() > std::numeric_limits<T>::max())
-        throw std::runtime_error(number.dump() + " is no count.");
-    return number.get<T>();
 }
 
 AgaaMeasuredSettings settingsOf(const json& row, std::list<std::string>& names) {

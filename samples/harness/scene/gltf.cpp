@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 namespace harness {
 
@@ -37,6 +38,12 @@ glm::dvec3 axisOf(const glm::dmat4& transform, const glm::dvec3& axis) {
     const glm::dvec3 v(transform * glm::dvec4(axis, 0));
     const double length = glm::length(v);
     return length > 0 ? v / length : axis;
+}
+
+// Returns -1 for a value that is no index.
+int indexOf(const tinygltf::Value& value) {
+    const double number = value.IsNumber() ? value.GetNumberAsDouble() : -1;
+    return number >= 0 && number <= std::numeric_limits<int>::max() ? int(number) : -1;
 }
 
 float notNegative(double value) { return std::max(finiteFloat(value), 0.0f); }
@@ -135,9 +142,8 @@ private:
         }
         const auto light = node.extensions.find("KHR_lights_punctual");
         if (light != node.extensions.end() && light->second.Has("light"))
-            reader_.scene.lights.push_back(
-                lightOf(reader_.at(reader_.model.lights, light->second.Get("light").GetNumberAsInt(), "lights"),
-                        transform, hasSun_));
+            reader_.scene.lights.push_back(lightOf(
+                reader_.at(reader_.model.lights, indexOf(light->second.Get("light")), "lights"), transform, hasSun_));
     }
 
     GltfReader& reader_;

@@ -164,6 +164,24 @@ bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, i
     return true;
 }
 
+// tinygltf's own functions open directories, whose size it takes for 2^63 - 1 bytes, and wait for pipes. A zero ends
+// the name for the file system, but not for the file.
+bool isFile(const std::string& path, void*) {
+    std::error_code error;
+    return path.find('\0') == std::string::npos && std::filesystem::is_regular_file(path, error);
+}
+
+bool readBytes(std::vector<unsigned char>* bytes, std::string* why, const std::string& path, void*) {
+    std::error_code error;
+    const uintmax_t size = std::filesystem::file_size(path, error);
+    std::ifstream in(path, std::ios::binary);
+    bytes->resize(error ? 0 : size);
+    in.read(reinterpret_cast<char*>(bytes->data()), std::streamsize(bytes->size()));
+    if (!in)
+        *why = "it cannot be read";
+    return bool(in);
+}
+
 } // namespace
 
 tinygltf::Model readGltfModel(const std::filesystem::path& path) {
@@ -175,6 +193,7 @@ tinygltf::Model readGltfModel(const std::filesystem::path& path) {
     root.clear();
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(keepEncoded, nullptr);
+    loader.SetFsCallbacks({isFile, tinygltf::ExpandFilePath, readBytes, tinygltf::WriteWholeFile, nullptr});
     tinygltf::Model model;
     std::string errors, warnings;
     const std::string folder = path.parent_path().string();
