@@ -66,6 +66,16 @@ struct CompareArguments {
     double gain = 4;
 };
 
+struct HardScenesArguments {
+    DeviceArguments device;          // backend empty: both
+    std::vector<std::string> scenes; // empty lists select all
+    std::vector<std::string> techniques;
+    std::vector<uint32_t> samples, aggregates;
+    uint32_t spp = 0; // samples per pixel of references, at most; 0: those of the scenes
+    bool covering = false;
+    bool list = false;
+};
+
 // Changes the facts of the scene as the arguments request.
 void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts);
 
@@ -81,6 +91,8 @@ void runScenes(bool json);
 void runRender(const RenderArguments& arguments, bool json);
 void runReference(const RenderArguments& arguments, bool json);
 void runCompare(const CompareArguments& arguments, bool json);
+// Throws if a frame exceeds a bound or is not finite.
+void runHardScenes(const HardScenesArguments& arguments, bool json);
 
 // Removes an effect from the facts, so that the plan drops it. Throws BadArgument for unknown names.
 void removeEffect(const std::string& effect, AgaaSceneFacts& facts);

@@ -146,9 +146,9 @@ void runPlan(const RenderArguments& arguments, bool sceneGiven, bool asJson) {
                     pass["writes"].dump().c_str());
 }
 
-void runScenes(bool asJson) {
+static json scenesJson(const std::vector<BuiltinScene>& rows) {
     json list = json::array();
-    for (const BuiltinScene& row : builtinScenes()) {
+    for (const BuiltinScene& row : rows) {
         const Scene scene = *makeBuiltinScene(row.name);
         const Camera camera = scene.cameras.empty() ? defaultCamera(scene) : scene.cameras[0];
         list.push_back({{"name", row.name},
@@ -160,15 +160,22 @@ void runScenes(bool asJson) {
                           camera.fovDegrees}},
                         {"whatItStresses", row.stresses}});
     }
+    return list;
+}
+
+void runScenes(bool asJson) {
+    const json scenes = scenesJson(builtinScenes()), hard = scenesJson(hardScenes());
     if (asJson) {
-        print({{"scenes", list}});
+        print({{"scenes", scenes}, {"hardScenes", hard}});
         return;
     }
-    for (const auto& scene : list)
-        std::printf(
-            "%-8s %8llu triangles, %2llu materials, %2llu lights: %s\n", scene["name"].get<std::string>().c_str(),
-            static_cast<unsigned long long>(scene["triangles"]), static_cast<unsigned long long>(scene["materials"]),
-            static_cast<unsigned long long>(scene["lights"]), scene["whatItStresses"].get<std::string>().c_str());
+    for (const json& list : {scenes, hard})
+        for (const auto& scene : list)
+            std::printf("%-21s %8llu triangles, %2llu materials, %2llu lights: %s\n",
+                        scene["name"].get<std::string>().c_str(), static_cast<unsigned long long>(scene["triangles"]),
+                        static_cast<unsigned long long>(scene["materials"]),
+                        static_cast<unsigned long long>(scene["lights"]),
+                        scene["whatItStresses"].get<std::string>().c_str());
 }
 
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {

@@ -122,6 +122,18 @@ void addGoalOptions(CLI::App& app, ChooseArguments& a) {
     app.add_flag("--observe", a.observe, "render frames of --technique, or of single, and choose by what they show");
 }
 
+void addHardScenesOptions(CLI::App& app, HardScenesArguments& a) {
+    addDeviceOptions(app, a.device);
+    app.get_option("--backend")->description("vk or gl; both without it");
+    app.add_option("--scene", a.scenes, "a frame that --list names; repeatable")->allow_extra_args(false);
+    app.add_option("--technique", a.techniques, "repeatable")->allow_extra_args(false);
+    app.add_option("--samples", a.samples, "n; repeatable")->allow_extra_args(false);
+    app.add_option("--aggregates", a.aggregates, "c or S; repeatable")->allow_extra_args(false);
+    app.add_option("--spp", a.spp, "samples per pixel of references, at most")->check(CLI::Range(2u, 65536u));
+    app.add_flag("--covering", a.covering, "a small set with each pair of a technique and a scene");
+    app.add_flag("--list", a.list, "list the frames and their bounds");
+}
+
 // Replaces this process by the agaa-sweep beside it. arguments: null-terminated, as of main(); the first one is
 // replaced.
 [[noreturn]] void execSweep(char** arguments) {
@@ -205,6 +217,10 @@ void run(int argc, char** argv) {
     compare->add_option("--difference", compareArguments.difference, "PNG of |a-b|");
     compare->add_option("--gain", compareArguments.gain, "of the difference image");
 
+    HardScenesArguments hardArguments;
+    CLI::App* hardScenes = command("hard-scenes", "numerically hard scenes in every technique, with bounds");
+    addHardScenesOptions(*hardScenes, hardArguments);
+
     app.add_subcommand("sweep", "runs agaa-sweep: techniques beside each other, as results.json and report.html");
 
     if (!parseArguments(app, argc, argv))
@@ -225,6 +241,8 @@ void run(int argc, char** argv) {
         runRender(renderArguments, json);
     else if (*reference)
         runReference(referenceArguments, json);
+    else if (*hardScenes)
+        runHardScenes(hardArguments, json);
     else
         runCompare(compareArguments, json);
 }

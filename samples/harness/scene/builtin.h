@@ -16,8 +16,10 @@ struct BuiltinScene {
 };
 
 const std::vector<BuiltinScene>& builtinScenes();
+// Returns the small scenes of numerically hard cases, whose names begin with "hard-".
+const std::vector<BuiltinScene>& hardScenes();
 
-// Returns a scene of the list, or "blades-N" with N in [0, 100000], whose density grows with N. Empty for other names.
+// Returns a scene of the lists, or "blades-N" with N in [0, 100000], whose density grows with N. Empty for other names.
 std::optional<Scene> makeBuiltinScene(std::string_view name);
 
 } // namespace harness

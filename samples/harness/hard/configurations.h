@@ -1,0 +1,37 @@
+// The configurations in which frames of hard cases are rendered: every technique with each n, c and tier.
+#pragma once
+
+#include "render/renderer.h"
+
+#include <string>
+#include <vector>
+
+namespace harness::hard {
+
+// The parts of a pixel that a configuration shades. The bounds of errors depend on them.
+enum class Shading {
+    One,        // one sample per pixel
+    Samples,    // every sample
+    Surfaces,   // surfaces or differing samples: msaa, simple_complex, adaptive, and S of 4 and more
+    Aggregates, // at least two aggregates or surfaces
+    Mean,       // one aggregate or surface
+};
+constexpr size_t kShadings = 5;
+const char* nameOf(Shading shading);
+
+struct HardConfiguration {
+    std::string technique;
+    uint32_t samples = 1;
+    uint32_t aggregates = 0; // c or S; 0: the technique has none
+    uint32_t generationTier = AGAA_TIER_AUTO;
+    bool isAccurate = false; // the preset "accurate"
+
+    Shading shading() const;
+    std::string name() const; // "agaa n=8 c=2 ids"
+    // Writes the configuration. config.technique points into this object afterwards.
+    void apply(TechniqueConfig& config) const;
+};
+
+const std::vector<HardConfiguration>& hardConfigurations();
+
+} // namespace harness::hard
