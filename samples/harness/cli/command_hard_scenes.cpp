@@ -109,6 +109,7 @@ json toJson(const HardResult& result) {
     out.update({{"size", std::to_string(result.width) + "x" + std::to_string(result.height)},
                 {"mseTm", result.mseTm},
                 {"maxMseTm", result.maxMseTm},
+                {"referenceMseTm", result.referenceMseTm},
                 {"maxTm", result.maxTm},
                 {"meanError", result.meanError},
                 {"maxMeanError", result.maxMeanError},

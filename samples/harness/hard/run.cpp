@@ -224,7 +224,8 @@ private:
         const size_t shading = size_t(configuration.shading());
         const double few = std::pow(8.0 / std::min(configuration.samples, 8u), 2);
         // The reference has an error of its own.
-        result.maxMseTm = few * frame.maxMseTm[shading] + 4 * reference.splitHalfMseTm;
+        result.referenceMseTm = reference.splitHalfMseTm;
+        result.maxMseTm = few * frame.maxMseTm[shading] + 4 * result.referenceMseTm;
         result.maxMeanError = few * frame.maxMeanError[shading];
         const auto other = others.find(result.job.configuration);
         if (other != others.end()) {

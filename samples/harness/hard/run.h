@@ -30,6 +30,7 @@ struct HardResult {
     uint32_t width = 0, height = 0;
     double mseTm = 0, maxTm = 0, meanError = 0;
     double maxMseTm = 0, maxMeanError = 0; // bounds
+    double referenceMseTm = 0;             // error of the reference
     std::optional<Finding> finding;
     uint64_t frames = 0;    // frames of the job, with those of its check
     uint64_t nonFinite = 0; // channels

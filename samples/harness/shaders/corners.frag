@@ -52,8 +52,11 @@ void setMaterial(inout AgaaSurfaceInput surface) {
     agaa_Barycentrics there = agaa_cornerWeights(agaa_coveredMiddle(surface));
     vec2 uv = weighedUv(there.at);
     vec2 dx = weighedUv(there.dx) * camera.footprint, dy = weighedUv(there.dy) * camera.footprint;
+    surface.position = weighed(there.at, cornerPosition).xyz;
+    surface.geometricNormal = cross(cornerPosition[1].xyz - cornerPosition[0].xyz,
+                                    cornerPosition[2].xyz - cornerPosition[0].xyz);
     SurfacePoint p;
-    p.toViewer = viewerDirection(camera.viewer, weighed(there.at, cornerPosition).xyz);
+    p.toViewer = viewerDirection(camera.viewer, surface.position);
     p.normal = weighed(there.at, cornerNormal).xyz;
     p.tangent = weighed(there.at, cornerTangent);
     p.color = weighed(there.at, cornerColor).rgb;
