@@ -9,6 +9,7 @@
 #include <iostream>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace harness {
 
@@ -50,6 +51,15 @@ std::vector<size_t> selectedConfigurations(const HardScenesArguments& arguments)
     if (selected.empty())
         throw BadArgument("No configuration has this technique, n and c.");
     return selected;
+}
+
+// Parses K/N. Returns K - 1 and N.
+std::pair<uint32_t, uint32_t> parsePart(const std::string& text) {
+    uint32_t part = 0, parts = 0;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%u/%u%c", &part, &parts, &rest) != 2 || part < 1 || part > parts)
+        throw BadArgument("--part is \"" + text + "\"; it is written K/N, with K from 1 to N.");
+    return {part - 1, parts};
 }
 
 const HardFrame& frameOf(const HardResult& result) { return hardFrames()[result.job.frame]; }
@@ -197,13 +207,15 @@ void runHardScenes(const HardScenesArguments& arguments, bool asJson) {
     const std::vector<HardJob> jobs =
         allJobs(selectedFrames(arguments.scenes), selectedConfigurations(arguments), backends);
     HardOptions options;
-    options.isCovering = arguments.covering;
+    options.perPair = arguments.covering;
+    std::tie(options.part, options.parts) = parsePart(arguments.part);
     options.spp = arguments.spp;
     if (!asJson)
         options.report = print;
-    const auto makeBackend = [&](const std::string& backend) {
+    const auto makeBackend = [&](const std::string& backend, bool isWithoutD24) {
         DeviceArguments device = arguments.device;
         device.backend = backend;
+        device.noD24 = isWithoutD24;
         return makeRenderer(device);
     };
     const HardReport report = runJobs(jobs, makeBackend, options);

@@ -13,6 +13,7 @@ struct DeviceArguments {
     bool renderPass = false;
     bool noConditionalRendering = false;
     bool noGeometryShaders = false;
+    bool noD24 = false;
     bool inlineRecording = false;
     bool noValidation = false;
     uint32_t keptViews = 2;
@@ -71,8 +72,9 @@ struct HardScenesArguments {
     std::vector<std::string> scenes; // empty lists select all
     std::vector<std::string> techniques;
     std::vector<uint32_t> samples, aggregates;
-    uint32_t spp = 0; // samples per pixel of references, at most; 0: those of the scenes
-    bool covering = false;
+    uint32_t spp = 0;         // samples per pixel of references, at most; 0: those of the scenes
+    uint32_t covering = 0;    // configurations of each pair of a technique and a scene; 0: all
+    std::string part = "1/1"; // K/N
     bool list = false;
 };
 

@@ -186,6 +186,7 @@ std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
     options.renderPass = arguments.renderPass;
     options.noConditionalRendering = arguments.noConditionalRendering;
     options.noGeometryShaders = arguments.noGeometryShaders;
+    options.noD24 = arguments.noD24;
     options.inlineRecording = arguments.inlineRecording;
     options.compatibilityProfile = arguments.compatibilityProfile;
     options.clipZFromMinusOne = arguments.clipZFromMinusOne;

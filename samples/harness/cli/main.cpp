@@ -76,6 +76,7 @@ void addDeviceOptions(CLI::App& app, DeviceArguments& a) {
     app.add_flag("--inline-recording", a.inlineRecording);
     app.add_flag("--no-conditional-rendering", a.noConditionalRendering, "vk: run all batches, needed or not");
     app.add_flag("--no-geometry-shaders", a.noGeometryShaders, "vk: do not enable them");
+    app.add_flag("--no-d24", a.noD24, "vk: as on devices without D24_UNORM_S8_UINT");
     app.add_flag("--no-validation", a.noValidation);
     app.add_flag("--compatibility-profile", a.compatibilityProfile, "gl");
     app.add_flag("--clip-z-from-minus-one", a.clipZFromMinusOne, "gl: its default depth convention");
@@ -130,7 +131,9 @@ void addHardScenesOptions(CLI::App& app, HardScenesArguments& a) {
     app.add_option("--samples", a.samples, "n; repeatable")->allow_extra_args(false);
     app.add_option("--aggregates", a.aggregates, "c or S; repeatable")->allow_extra_args(false);
     app.add_option("--spp", a.spp, "samples per pixel of references, at most")->check(CLI::Range(2u, 65536u));
-    app.add_flag("--covering", a.covering, "a small set with each pair of a technique and a scene");
+    app.add_option("--covering", a.covering, "so many configurations of each pair of a technique and a scene")
+        ->check(CLI::Range(1u, 1000u));
+    app.add_option("--part", a.part, "K/N: the K-th of N parts of the selected scenes");
     app.add_flag("--list", a.list, "list the frames and their bounds");
 }
 

@@ -24,31 +24,35 @@ std::vector<std::string> valuesOf(const HardJob& job) {
 
 } // namespace
 
-std::vector<HardJob> coveringJobs(const std::vector<HardJob>& jobs) {
+std::vector<HardJob> coveringJobs(const std::vector<HardJob>& jobs, uint32_t perPair) {
     std::map<std::pair<size_t, std::string>, std::vector<const HardJob*>> pairs; // by frame and technique
     for (const HardJob& job : jobs)
         pairs[{job.frame, hardConfigurations()[job.configuration].technique}].push_back(&job);
     std::map<std::string, size_t> shown;
     std::vector<HardJob> chosen;
-    for (const auto& [pair, candidates] : pairs) {
-        // The values that were shown least often come next. The first of equal candidates wins.
-        const auto rarity = [&](const HardJob* job) {
-            double sum = 0;
-            for (const std::string& value : valuesOf(*job))
-                sum += 1.0 / double(1 + shown[value] * shown[value]);
-            return sum;
-        };
-        const HardJob* best = candidates[0];
-        double most = rarity(best);
-        for (const HardJob* job : candidates)
-            if (const double sum = rarity(job); sum > most + 1e-9) {
-                best = job;
-                most = sum;
-            }
-        for (const std::string& value : valuesOf(*best))
-            ++shown[value];
-        chosen.push_back(*best);
-    }
+    // The values that were shown least often come next. The first of equal candidates wins.
+    const auto rarity = [&shown](const HardJob* job) {
+        double sum = 0;
+        for (const std::string& value : valuesOf(*job))
+            sum += 1.0 / double(1 + shown[value] * shown[value]);
+        return sum;
+    };
+    for (uint32_t round = 0; round < perPair; ++round)
+        for (auto& [pair, candidates] : pairs) {
+            if (candidates.empty())
+                continue;
+            auto best = candidates.begin();
+            double most = rarity(*best);
+            for (auto job = best + 1; job != candidates.end(); ++job)
+                if (const double sum = rarity(*job); sum > most + 1e-9) {
+                    best = job;
+                    most = sum;
+                }
+            for (const std::string& value : valuesOf(**best))
+                ++shown[value];
+            chosen.push_back(**best);
+            candidates.erase(best);
+        }
     std::stable_sort(chosen.begin(), chosen.end(), [](const HardJob& a, const HardJob& b) {
         return std::tie(a.frame, a.backend) < std::tie(b.frame, b.backend);
     });

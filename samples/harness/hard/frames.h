@@ -53,7 +53,8 @@ struct HardFrame {
     std::optional<OtherFrame> other = {};
     const char* checked = nullptr; // a phrase for the check
     std::function<Finding(const Rendered&)> check = {};
-    bool isWidest = false; // the largest width that a configuration allows, and one pixel more
+    bool isWithoutD24 = false; // a device that lacks D24_UNORM_S8_UINT: on Vulkan only
+    bool isWidest = false;     // the largest width that a configuration allows, and one pixel more
     bool (*isFor)(const HardConfiguration&) = nullptr; // null: all configurations
 };
 

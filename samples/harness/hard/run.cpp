@@ -100,8 +100,9 @@ public:
 
     HardReport run(const std::vector<HardJob>& all) {
         std::vector<HardJob> jobs = planned(all);
-        if (options_.isCovering)
-            jobs = coveringJobs(jobs);
+        if (options_.perPair)
+            jobs = coveringJobs(jobs, options_.perPair);
+        std::erase_if(jobs, [this](const HardJob& job) { return job.frame % options_.parts != options_.part; });
         for (size_t begin = 0; begin < jobs.size();) {
             size_t end = begin;
             while (end < jobs.size() && jobs[end].frame == jobs[begin].frame &&
@@ -114,11 +115,13 @@ public:
     }
 
 private:
-    Renderer& backend(const std::string& name) {
-        std::unique_ptr<Renderer>& renderer = backends_[name];
+    Renderer& backend(const HardJob& job) {
+        const bool isWithoutD24 = hardFrames()[job.frame].isWithoutD24;
+        std::unique_ptr<Renderer>& renderer = backends_[{job.backend, isWithoutD24}];
         if (!renderer) {
-            renderer = makeBackend_(name);
-            report_.devices.push_back({name, renderer->caps().deviceName, renderer->caps().driverName});
+            renderer = makeBackend_(job.backend, isWithoutD24);
+            if (!isWithoutD24)
+                report_.devices.push_back({job.backend, renderer->caps().deviceName, renderer->caps().driverName});
         }
         return *renderer;
     }
@@ -135,7 +138,7 @@ private:
             settings.width = std::max(settings.width, 1u);
             hardConfigurations()[all[i].configuration].apply(settings.config);
             Planner planner;
-            if (planner.plan(settings, backend(all[i].backend).caps()) >= 0) {
+            if (planner.plan(settings, backend(all[i]).caps()) >= 0) {
                 jobs.push_back(all[i]);
                 continue;
             }
@@ -156,7 +159,7 @@ private:
     // Runs jobs of one frame on one backend.
     void runGroup(const std::vector<HardJob>& jobs) {
         const HardFrame& frame = hardFrames()[jobs[0].frame];
-        Renderer& renderer = backend(jobs[0].backend);
+        Renderer& renderer = backend(jobs[0]);
         const Scene scene = *makeBuiltinScene(frame.scene);
         std::map<size_t, Image> others; // by configuration
         if (frame.other)
@@ -253,7 +256,7 @@ private:
 
     const MakeBackend& makeBackend_;
     const HardOptions& options_;
-    std::map<std::string, std::unique_ptr<Renderer>> backends_;
+    std::map<std::pair<std::string, bool>, std::unique_ptr<Renderer>> backends_; // by API and absence of D24
     std::map<std::tuple<size_t, uint32_t, uint32_t>, Reference> references_;
     HardReport report_;
 };
@@ -291,7 +294,8 @@ std::vector<HardJob> allJobs(const std::vector<size_t>& frames, const std::vecto
         for (const std::string& backend : backends)
             for (const size_t configuration : configurations) {
                 const HardFrame& row = hardFrames()[frame];
-                if (!row.isFor || row.isFor(hardConfigurations()[configuration]))
+                const bool isPossible = backend == "vk" || !row.isWithoutD24;
+                if (isPossible && (!row.isFor || row.isFor(hardConfigurations()[configuration])))
                     jobs.push_back({frame, configuration, backend});
             }
     return jobs;

@@ -19,9 +19,9 @@ struct HardJob {
 // Returns all combinations that `frames`, `configurations` and `backends` select.
 std::vector<HardJob> allJobs(const std::vector<size_t>& frames, const std::vector<size_t>& configurations,
                              const std::vector<std::string>& backends);
-// Returns some of the jobs: each pair of a technique and a frame once, and each n, c, tier and backend of a technique
-// at least once, as far as the number of frames allows. The order of the jobs determines the result.
-std::vector<HardJob> coveringJobs(const std::vector<HardJob>& jobs);
+// Returns some of the jobs: perPair of each pair of a technique and a frame, so that each n, c, tier and backend of a
+// technique occurs, as far as the number of frames allows. The order of the jobs determines the result.
+std::vector<HardJob> coveringJobs(const std::vector<HardJob>& jobs, uint32_t perPair);
 
 struct HardResult {
     HardJob job;
@@ -44,12 +44,14 @@ struct HardResult {
 };
 
 struct HardOptions {
-    bool isCovering = false; // run coveringJobs() of the jobs that the SDK plans
-    uint32_t spp = 0;        // samples per pixel of references, at most; 0: those of the frames
+    uint32_t perPair = 0;         // run coveringJobs() of the jobs that the SDK plans; 0: all
+    uint32_t part = 0, parts = 1; // of these, run every parts-th frame
+    uint32_t spp = 0;             // samples per pixel of references, at most; 0: those of the frames
     std::function<void(const HardResult&)> report;
 };
 
-using MakeBackend = std::function<std::unique_ptr<Renderer>(const std::string& backend)>;
+// Creates the renderer of an API. isWithoutD24: as on a device that lacks D24_UNORM_S8_UINT.
+using MakeBackend = std::function<std::unique_ptr<Renderer>(const std::string& backend, bool isWithoutD24)>;
 
 struct HardDevice {
     std::string backend, device, driver;

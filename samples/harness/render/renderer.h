@@ -20,6 +20,7 @@ struct RendererOptions {
     bool inlineRecording = false;        // Vulkan: callbacks record into the host's command buffer
     bool noConditionalRendering = false; // Vulkan: the device runs all batches, needed or not
     bool noGeometryShaders = false;      // Vulkan: do not enable geometry shaders
+    bool noD24 = false;                  // Vulkan: hide D24_UNORM_S8_UINT, which some devices lack, from the SDK
     uint32_t shadowMapSize = 2048;
     uint32_t keptViews = 2; // views of the SDK that are kept: measurements alternate between views
     // OpenGL

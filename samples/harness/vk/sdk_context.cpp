@@ -1,6 +1,25 @@
 #include "vk/sdk_context.h"
 
+#include <cstring>
+
 namespace harness::vk {
+
+namespace {
+
+VKAPI_ATTR void VKAPI_CALL formatPropertiesWithoutD24(VkPhysicalDevice device, VkFormat format,
+                                                      VkFormatProperties* properties) {
+    vkGetPhysicalDeviceFormatProperties(device, format, properties);
+    if (format == VK_FORMAT_D24_UNORM_S8_UINT)
+        *properties = {};
+}
+
+AgaaVkFunction AGAA_CALL getProcAddrWithoutD24(void* instance, const char* name) {
+    if (std::strcmp(name, "vkGetPhysicalDeviceFormatProperties") == 0)
+        return reinterpret_cast<AgaaVkFunction>(formatPropertiesWithoutD24);
+    return Device::getProcAddr(instance, name);
+}
+
+} // namespace
 
 SdkContext::SdkContext(const Device& device, const RendererOptions& options, uint32_t descriptorSet) {
     createContext(device, options, descriptorSet);
@@ -9,7 +28,8 @@ SdkContext::SdkContext(const Device& device, const RendererOptions& options, uin
 
 void SdkContext::createContext(const Device& device, const RendererOptions& options, uint32_t descriptorSet) {
     const AgaaLog log = log_.log();
-    log_.check(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), Device::getProcAddr, &log, &caps_),
+    const auto getProcAddr = options.noD24 ? getProcAddrWithoutD24 : Device::getProcAddr;
+    log_.check(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), getProcAddr, &log, &caps_),
                "agaaVkGetDeviceCaps");
     AgaaVkDeviceDesc desc = AGAA_VK_DEVICE_DESC_INIT;
     desc.instance = device.instance();
@@ -17,7 +37,7 @@ void SdkContext::createContext(const Device& device, const RendererOptions& opti
     desc.device = device.get();
     desc.queueFamily = device.queueFamily();
     desc.apiVersion = device.apiVersion();
-    desc.getProcAddr = Device::getProcAddr;
+    desc.getProcAddr = getProcAddr;
     desc.enabledExtensions = device.extensions().data();
     desc.enabledExtensionCount = uint32_t(device.extensions().size());
     desc.enabledFeatures = device.features();

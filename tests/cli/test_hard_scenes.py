@@ -1,0 +1,56 @@
+"""The command hard-scenes: bounds hold in a covering set, and a frame beyond them fails."""
+import os
+import unittest
+
+import harness
+
+TECHNIQUES = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}
+
+
+def hard_scenes(*arguments):
+    return harness.data("hard-scenes", *arguments)
+
+
+class HardScenes(unittest.TestCase):
+    def test_covering_frames_keep_their_bounds(self):
+        part = os.environ["AGAA_PART"]
+        data = hard_scenes("--covering", "1", "--spp", "32", "--part", part)
+        self.assertEqual(data["nonFinite"], 0)
+        self.assertEqual(data["exceeding"], 0)
+        self.assertEqual(data["apiMessages"], [])
+        by_scene = {}
+        for row in data["results"]:
+            by_scene.setdefault(row["scene"], set()).add(row["technique"])
+        self.assertEqual({device["backend"] for device in data["devices"]}, {"vk", "gl"})
+        for scene, techniques in by_scene.items():
+            self.assertEqual(techniques, {"agaa"} if scene == "size-1080p" else TECHNIQUES, scene)
+        print(f"{data['nonFinite']} non-finite channels in {data['frames']} frames")
+
+
+class Command(unittest.TestCase):
+    def test_flat_triangles_agree_in_all_tiers(self):
+        """Expanded triangles need the normal of their plane, if it shades: 1.15e-3 with (0, 0, 1), 4.5e-6 with it."""
+        data = hard_scenes("--scene", "duplicates", "--technique", "dcaa", "--samples", "64", "--aggregates", "8",
+                           "--backend", "gl", "--spp", "32")
+        errors = {row["tier"]: row["mseTm"] for row in data["results"]}
+        self.assertLessEqual({"lists", "material-lists"}, set(errors))
+        for tier, error in errors.items():
+            self.assertLess(error, 2e-5, tier)
+
+    def test_list_names_scenes_of_render(self):
+        frames = hard_scenes("--list")
+        self.assertGreaterEqual(len(frames), 28)
+        scenes = {scene["name"] for scene in harness.data("scenes")["hardScenes"]}
+        self.assertEqual({frame["builtin"] for frame in frames} - scenes, set())
+
+    def test_wrong_arguments(self):
+        for arguments, phrase in ((("--scene", "mirrors"), "--scene is \"mirrors\""),
+                                  (("--part", "3/2"), "--part is \"3/2\""),
+                                  (("--technique", "agaa", "--samples", "3"), "No configuration")):
+            result = harness.run("hard-scenes", *arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(phrase, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
