@@ -44,18 +44,21 @@ struct BadCell {
 class BadGrid {
 public:
     static BadGrid materials(const TechniqueTier& tier); // all attributes that the tier reads
+    static BadGrid planeNormals();                       // with AGAA_FACT_PLANE_NORMALS
     static BadGrid customAttributes();                   // of the layout, which has no emission
 
     ViewSettings settings(const TechniqueTier& tier) const;
     Shot shot(const TechniqueTier& tier) const;
     std::vector<Triangle> triangles(GridFill fill) const;
     std::vector<BadCell> cells() const;
+    uint64_t badPositions() const; // number of cells whose position is not finite
 
     static constexpr uint32_t pitch = 3; // pixels from one cell to the next
 
 private:
     std::vector<BadAttribute> attributes_; // rows
     std::string surface_, material_;       // as ViewSettings::surface and Shot::material
+    uint64_t facts_ = 0;                   // of the view, besides the default ones
     bool hasCustomLayout_ = false;
 };
 

@@ -62,6 +62,21 @@ TYPED_TEST_P(ContainmentCases, HardCase37ABadFragmentIsContained) {
     }
 }
 
+// Plane normals that are shaded, in the passes that shade, sum and store materials.
+TYPED_TEST_P(ContainmentCases, HardCase37ABadPlaneNormalIsContained) {
+    using enum TechniqueTier::Evaluations;
+    const BadGrid grid = BadGrid::planeNormals();
+    for (const TechniqueTier& tier :
+         {TechniqueTier{.technique = "msaa", .n = 4, .evaluations = EachTexel},
+          {.technique = "agaa", .n = 8, .tier = AGAA_TIER_PER_SAMPLE, .evaluations = EachSample},
+          {.technique = "agaa", .n = 8, .tier = AGAA_TIER_GBUFFER, .evaluations = EachTexel}}) {
+        SCOPED_TRACE(testing::Message() << tier);
+        const GridFrames frames = this->render(tier, grid);
+        expectReplaced(frames, tier, grid);
+        expectNoNeighbourChanges(frames, tier, grid);
+    }
+}
+
 // Custom attributes, which aggregates in memory show.
 TYPED_TEST_P(ContainmentCases, HardCase37ABadCustomAttributeIsContained) {
     using enum TechniqueTier::Evaluations;
@@ -82,7 +97,7 @@ TYPED_TEST_P(ContainmentCases, HardCase37ABadCustomAttributeIsContained) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(ContainmentCases, HardCase37ABadFragmentIsContained,
+REGISTER_TYPED_TEST_SUITE_P(ContainmentCases, HardCase37ABadFragmentIsContained, HardCase37ABadPlaneNormalIsContained,
                             HardCase37ABadCustomAttributeIsContained);
 
 } // namespace agaa::test
