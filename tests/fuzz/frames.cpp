@@ -1,9 +1,10 @@
 // Renders whole frames of random scenes with random settings through the sample engine, valid or not:
-//   agaa_fuzz_frames vk|gl CASES|SECONDSs [SEED [FIRST]]
-// A case is a view and up to 36 frames of it, because views take longer than frames. Pixels must be finite and at most
+//   agaa-fuzz-frames vk|gl CASES|SECONDSs [SEED [FIRST]]
+// A case is a view and up to 108 frames of it, because views take longer than frames. Pixels must be finite and at most
 // 65504, the validation layers silent. A refused case must have one sentence and leave the renderer as it was: it then
 // renders a plain frame bit for bit.
 #include "choices.h"
+#include "gl_host_text.h"
 
 #include "render/messages.h"
 #include "render/renderer.h"
@@ -317,7 +318,7 @@ void runCase(Engine& engine, fuzz::Choices& choices) {
     try {
         for (int scenes = 0; scenes < 3; ++scenes) {
             engine.get().load(anyScene(choices));
-            for (int repeats = 0; repeats < 4; ++repeats) {
+            for (int repeats = 0; repeats < 12; ++repeats) {
                 changeFrame(choices, settings, lights);
                 checkImage(engine.get().render(settings).image, settings);
                 frames += settings.frames;
@@ -336,13 +337,15 @@ int main(int count, char** arguments) {
     const std::string backend = count > 1 ? arguments[1] : "", length = count > 2 ? arguments[2] : "";
     const uint64_t number = std::strtoull(length.c_str(), nullptr, 10);
     if ((backend != "vk" && backend != "gl") || number == 0 || count > 5) {
-        std::fprintf(stderr, "usage: agaa_fuzz_frames vk|gl CASES|SECONDSs [SEED [FIRST]]\n");
+        std::fprintf(stderr, "usage: agaa-fuzz-frames vk|gl CASES|SECONDSs [SEED [FIRST]]\n");
         return 2;
     }
     seed = count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1;
     const uint64_t first = count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 0;
     const bool isTimed = length.ends_with('s');
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(isTimed ? number : 0);
+    if (backend == "gl")
+        fuzz::checkGlHostText(report);
     std::unique_ptr<Engine> engine;
     for (run = first; isTimed ? std::chrono::steady_clock::now() < end : run < first + number; ++run) {
         try {

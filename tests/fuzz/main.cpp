@@ -1,5 +1,5 @@
 // Runs fuzz targets with kept inputs, then with choices or mutations from a seed:
-//   agaa_fuzz TARGET RUNS|SECONDSs [SEED [FIRST]]
+//   agaa-fuzz TARGET RUNS|SECONDSs [SEED [FIRST]]
 // Run number i depends on the seed and i only, so SEED and FIRST repeat a finding.
 #include "corpus.h"
 #include "target.h"
@@ -78,7 +78,7 @@ int main(int count, char** arguments) {
         if (name == target.name)
             state.target = &target;
     if (!state.target || number == 0 || count > 5) {
-        std::fprintf(stderr, "usage: agaa_fuzz TARGET RUNS|SECONDSs [SEED [FIRST]]\ntargets:");
+        std::fprintf(stderr, "usage: agaa-fuzz TARGET RUNS|SECONDSs [SEED [FIRST]]\ntargets:");
         for (const fuzz::Target& target : fuzz::targets)
             std::fprintf(stderr, " %s", target.name);
         std::fprintf(stderr, "\n");
