@@ -13,6 +13,7 @@ ROOT = pathlib.Path(os.environ["AGAA_SOURCE"])
 QUOTES = ROOT / "tools" / "quotes.py"
 FORMAT = ROOT / "scripts" / "format"
 HARD_CASES = ROOT / "tools" / "hard_cases.py"
+HARD_SCENES = ROOT / "tools" / "hard_scenes.py"
 PICTURE = ROOT / "tools" / "comparison_picture.py"
 README = ROOT / "README.md"
 ROOT_DOCUMENTS = [README, *(ROOT / name for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"))]
@@ -157,6 +158,61 @@ class Guides(unittest.TestCase):
         words = re.findall(r"^\| ([^|]*) \|", text, flags=re.MULTILINE)[1:]
         self.assertGreater(len(words), 50)
         self.assertEqual(words, sorted(words, key=lambda word: word.lower().replace("-", " ")))
+
+
+class HardScenes(unittest.TestCase):
+    """The table of whole-frame scenes, by tools/hard_scenes.py."""
+
+    def check(self, *arguments):
+        return subprocess.run([sys.executable, HARD_SCENES, *arguments], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True)
+
+    @staticmethod
+    def output(**changes):
+        row = {"scene": "mirror", "backend": "vk", "technique": "agaa", "samples": 8, "aggregates": 2, "tier": "ids",
+               "preset": "", "shades": "aggregates", "mseTm": 2e-4, "maxMseTm": 1e-3, "meanError": 0.01,
+               "maxMeanError": 0.02, "frames": 2, "nonFinite": 0, "sanitised": 0, "lostFragments": 0, "exceeds": "",
+               "check": {"value": 0.5, "bound": 1}}
+        return {"devices": [{"backend": "vk", "device": "device", "driver": "driver"}], "refusals": [],
+                "scenes": [{"scene": "mirror", "cases": "2", "check": "the plane"}], "results": [row | changes]}
+
+    def summarised(self, *outputs):
+        """The process and the document of a summary of these outputs."""
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "docs/results").mkdir(parents=True)
+            document = root / "docs/numerics.md"
+            document.write_text("Before.\n<!-- hard-scenes begin -->\n<!-- hard-scenes end -->\nBehind.\n")
+            for i, output in enumerate(outputs):
+                (root / f"{i}.json").write_text(json.dumps(output))
+            run = self.check("--root", folder, "--summarise", *(str(root / f"{i}.json") for i in range(len(outputs))))
+            again = self.check("--root", folder)
+            text = document.read_text()
+            document.write_text(text.replace("2.0e-4", "3.0e-4"))
+            return run, again, self.check("--root", folder), text
+
+    def test_kept_table_is_current(self):
+        result = self.check()
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_kept_run_is_finite_in_every_technique(self):
+        kept = json.loads((ROOT / "docs/results/hard-scenes.json").read_text())
+        self.assertEqual(kept["nonFinite"], 0)
+        self.assertGreater(kept["frames"], 900)
+        self.assertEqual({device["backend"] for device in kept["devices"]}, {"vk", "gl"})
+
+    def test_table_has_the_nearest_configurations(self):
+        run, again, stale, text = self.summarised(self.output(), self.output(backend="gl", mseTm=1e-4))
+        self.assertEqual((run.returncode, again.returncode), (0, 0), run.stderr + again.stderr)
+        self.assertEqual(stale.returncode, 1)
+        self.assertIn("is not current", stale.stderr)
+        self.assertIn("| `mirror` | 2 | – | – | 2.0e-4 of 1.0e-3 | – | agaa n=8 c=2 ids vk | the plane: 0.5 of 1 |", text)
+        self.assertIn("2 combinations of a scene, a configuration and an API took 4 frames", text)
+
+    def test_runs_beyond_a_bound_are_not_kept(self):
+        run, *_ = self.summarised(self.output(exceeds="error"))
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("mirror, agaa n=8 c=2 ids vk: error", run.stderr)
 
 
 class HardCases(unittest.TestCase):

@@ -9,7 +9,7 @@ namespace harness::hard {
 Finding differenceFromOther(const Rendered& frame, double bound);
 // The number of channels that differ from the other frame in any bit.
 Finding bitsOfOther(const Rendered& frame);
-// The number of channels that differ from the background in any bit; of fxaa, from the background in half floats.
+// The number of channels that differ from the background in any bit, or for fxaa by more than a step of half floats.
 Finding bitsOfBackground(const Rendered& frame);
 // The largest distance of a pixel from a whole number of samples of emission 1 over black, in samples.
 Finding wholeWeights(const Rendered& frame);

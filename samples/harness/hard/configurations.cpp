@@ -17,9 +17,7 @@ Shading HardConfiguration::shading() const {
         return Shading::Samples;
     if (aggregates == 1)
         return Shading::Mean;
-    if (technique == "agaa" || (aggregates > 0 && aggregates < 4))
-        return Shading::Aggregates;
-    return Shading::Surfaces;
+    return technique == "agaa" ? Shading::Aggregates : Shading::Surfaces;
 }
 
 std::string HardConfiguration::name() const {

@@ -12,8 +12,8 @@ namespace harness::hard {
 enum class Shading {
     One,        // one sample per pixel
     Samples,    // every sample
-    Surfaces,   // surfaces or differing samples: msaa, simple_complex, adaptive, and S of 4 and more
-    Aggregates, // at least two aggregates or surfaces
+    Surfaces,   // fragments, at least two surfaces, or samples that differ
+    Aggregates, // at least two aggregates
     Mean,       // one aggregate or surface
 };
 constexpr size_t kShadings = 5;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <string_view>
+#include <tuple>
 
 namespace harness::hard {
 
@@ -78,7 +80,14 @@ uint32_t widestTarget(RenderSettings settings, const AgaaDeviceCaps& caps) {
     return accepted;
 }
 
-// Expects that the planner and the view refuse one pixel more than the widest target with the same sentence.
+// Returns a sentence of the SDK without the name of the call.
+std::string_view withoutCall(std::string_view sentence) {
+    const size_t colon = sentence.find(": ");
+    return colon == std::string_view::npos ? sentence : sentence.substr(colon + 2);
+}
+
+// Expects that the planner and the view refuse one pixel more than the widest target for the same reason. Returns what
+// differs from that, or nothing.
 std::string acceptanceBeyond(Renderer& renderer, RenderSettings settings) {
     ++settings.width;
     Planner planner;
@@ -87,7 +96,7 @@ std::string acceptanceBeyond(Renderer& renderer, RenderSettings settings) {
     try {
         renderer.render(settings);
     } catch (const std::runtime_error& error) {
-        if (error.what() == planner.message())
+        if (withoutCall(error.what()) == withoutCall(planner.message()))
             return {};
         return std::string("Another sentence refuses one pixel more: ") + error.what();
     }
