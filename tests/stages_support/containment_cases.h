@@ -77,6 +77,31 @@ TYPED_TEST_P(ContainmentCases, HardCase37ABadPlaneNormalIsContained) {
     }
 }
 
+// A plane normal without length has no direction, as one that is not finite: agaa_planeNormal() returns it for
+// primitives without a plane. Both become the direction to the eye, which differs from pixel to pixel here.
+TYPED_TEST_P(ContainmentCases, PlaneNormalsWithoutADirectionFaceTheEye) {
+    ViewSettings settings;
+    settings.width = settings.height = 16;
+    settings.projection = perspective(90, 1, 0.1f, 100);
+    settings.facts.flags |= AGAA_FACT_PLANE_NORMALS;
+    settings.facts.shadowMapCount = 0;
+    settings.config.technique = "ssaa";
+    settings.config.samples = 4;
+    const auto image = [&](const glm::vec3& normal) {
+        Triangle t;
+        t.position[0] = {-50, -50, -5};
+        t.position[1] = {100, -50, -5};
+        t.position[2] = {-50, 100, -5};
+        t.material = facing(glm::vec3(0.5f));
+        t.material.geometricNormal = glm::vec4(normal, 0);
+        return show(this->context, settings, {.triangles = {t}}).rgb;
+    };
+    const std::vector<float> none = image(glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+    EXPECT_LT(none[0], 0.8f * none[3 * (8 * 16 + 8)]) << "the eye is in another direction than the sun";
+    EXPECT_EQ(image(glm::vec3(0)), none);
+    EXPECT_EQ(image(glm::vec3(1e-40f)), none);
+}
+
 // Custom attributes, which aggregates in memory show.
 TYPED_TEST_P(ContainmentCases, HardCase37ABadCustomAttributeIsContained) {
     using enum TechniqueTier::Evaluations;
@@ -98,6 +123,6 @@ TYPED_TEST_P(ContainmentCases, HardCase37ABadCustomAttributeIsContained) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ContainmentCases, HardCase37ABadFragmentIsContained, HardCase37ABadPlaneNormalIsContained,
-                            HardCase37ABadCustomAttributeIsContained);
+                            PlaneNormalsWithoutADirectionFaceTheEye, HardCase37ABadCustomAttributeIsContained);
 
 } // namespace agaa::test

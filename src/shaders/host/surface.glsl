@@ -200,10 +200,11 @@ uint agaa_demandsOfMask(AgaaSurfaceInput s) {
 
 // Returns the plane normal of the primitive, facing the eye; the direction to the eye for a primitive without a plane.
 vec3 agaa_facingNormal(AgaaSurfaceInput s) {
-    uint hasNone = 0u;
-    vec3 n = agaa_sanitiseNormal(s.geometricNormal, hasNone);
     vec3 toEye = agaa_toEye(s.position);
-    return hasNone != 0u ? toEye : dot(n, toEye) < 0.0 ? -n : n;
+    if (!agaa_hasDirection(s.geometricNormal))
+        return toEye;
+    vec3 n = normalize(agaa_directionOrZ(s.geometricNormal));
+    return dot(n, toEye) < 0.0 ? -n : n;
 }
 
 // Replaces the values that the facts of the scene fix.

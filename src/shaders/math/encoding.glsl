@@ -56,15 +56,18 @@ real agaa_fromSignedCode(uint code, uint bits) {
     return clamp((real(code) - real(centre)) / span, real(-1.0), real(1.0));
 }
 
+// Returns whether a vector is finite and has a length.
+bool agaa_hasDirection(rvec3 n) {
+    return agaa_isFinite3(n) && max(abs(n.x), max(abs(n.y), abs(n.z))) > real(1e-30);
+}
+
 // Returns the vector scaled so that its largest component is 1, or +z if it has no direction. The scale prevents
 // overflow and underflow of sums of components.
 rvec3 agaa_directionOrZ(rvec3 n) {
     rvec3 result = rvec3(real(0.0), real(0.0), real(1.0));
-    if (agaa_isFinite3(n)) {
+    if (agaa_hasDirection(n)) {
         const real m = max(abs(n.x), max(abs(n.y), abs(n.z)));
-        if (m > real(1e-30)) {
-            result = rvec3(n.x / m, n.y / m, n.z / m);
-        }
+        result = rvec3(n.x / m, n.y / m, n.z / m);
     }
     return result;
 }
