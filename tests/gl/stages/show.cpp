@@ -23,7 +23,8 @@ HostMaterial hostMaterial(uint primitive) {
 )";
 
 IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
-    : text_(fetchText(settings, storageText, shot.material, shot.corners)), function_(fetchFunction(settings, text_, shot)) {
+    : text_(fetchText(settings, storageText, shot.material, shot.corners)),
+      function_(fetchFunction(settings, text_, shot)) {
     settings.chained = &function_;
     view_ = std::make_unique<StageView>(context, settings);
     view_->setTriangles(shot.triangles);

@@ -22,7 +22,8 @@ ViewSettings settingsFor(uint32_t n, uint32_t c, uint32_t tier) {
 }
 
 IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
-    : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT), text_(fetchText(settings, storageText, shot.material, shot.corners)),
+    : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT),
+      text_(fetchText(settings, storageText, shot.material, shot.corners)),
       function_(fetchFunction(settings, text_, shot)) {
     function_.descriptorSetLayout = (uint64_t)set_.layout();
     settings.chained = &function_;
