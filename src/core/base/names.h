@@ -9,6 +9,11 @@
 
 namespace agaa {
 
+// Returns whether words of GLSL may contain a byte: letters, digits and underscores, whatever the locale.
+inline bool isWordByte(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
 // Compares names that hosts pass. '-' equals '_'.
 bool isSameName(std::string_view a, std::string_view b);
 

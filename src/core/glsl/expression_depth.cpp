@@ -1,15 +1,13 @@
 #include "core/glsl/expression_depth.h"
 
+#include "core/base/names.h"
+
 #include <algorithm>
 #include <vector>
 
 namespace agaa {
 
 namespace {
-
-bool isWordByte(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 // Returns the length of the comment, space or escaped line break at the beginning of a text.
 size_t skippedLength(std::string_view text) {

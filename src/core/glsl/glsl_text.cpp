@@ -2,10 +2,12 @@
 
 #include "core/base/embedded.h"
 #include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/glsl/expression_depth.h"
 
 #include <algorithm>
-#include <regex>
+#include <string_view>
+#include <utility>
 
 namespace agaa {
 
@@ -48,20 +50,37 @@ void appendGlslText(std::string& out, const std::string& text, std::set<std::str
 
 // Expands the macros of math/real.glsl, because the host may define the same names.
 std::string coverageGlsl() {
-    std::string text;
-    std::set<std::string> seen;
-    appendGlsl(text, "math/alpha_coverage.glsl", seen);
-    const std::pair<const char*, const char*> steps[] = {
-        {R"(#define (real|rvec[234]|OUT|INOUT|PRECISE)\b[^\n]*\n)", ""},
-        {R"(\breal\b)", "float"},
-        {R"(\brvec([234])\b)", "vec$1"},
-        {R"(\bOUT\((\w+)\))", "out $1"},
-        {R"(\bINOUT\((\w+)\))", "inout $1"},
-        {R"(\bPRECISE\b)", "precise"},
+    static constexpr std::pair<std::string_view, std::string_view> macros[] = {
+        {"real", "float"}, {"rvec2", "vec2"},   {"rvec3", "vec3"},     {"rvec4", "vec4"},
+        {"OUT", "out "},   {"INOUT", "inout "}, {"PRECISE", "precise"}};
+    const auto macroAt = [](std::string_view text) {
+        const auto end = std::find_if_not(text.begin(), text.end(), isWordByte);
+        const std::string_view word = text.substr(0, size_t(end - text.begin()));
+        return std::find_if(std::begin(macros), std::end(macros), [&](const auto& row) {
+            return row.first == word && (!row.second.ends_with(' ') || (end != text.end() && *end == '('));
+        });
     };
-    for (const auto& [macro, written] : steps)
-        text = std::regex_replace(text, std::regex(macro), written);
-    return text;
+    std::string source, out;
+    std::set<std::string> seen;
+    appendGlsl(source, "math/alpha_coverage.glsl", seen);
+    bool isArgument = false; // of OUT or INOUT
+    for (std::string_view text = source; !text.empty();) {
+        constexpr std::string_view define = "#define ";
+        const auto macro = macroAt(text);
+        if (text.starts_with(define) && macroAt(text.substr(define.size())) != std::end(macros)) {
+            text.remove_prefix(text.find('\n') + 1);
+        } else if (macro != std::end(macros) && (out.empty() || !isWordByte(out.back()))) {
+            out += macro->second;
+            isArgument |= macro->second.ends_with(' ');
+            text.remove_prefix(macro->first.size() + macro->second.ends_with(' ')); // its bracket, too
+        } else {
+            if (!isArgument || text[0] != ')')
+                out += text[0];
+            isArgument &= text[0] != ')';
+            text.remove_prefix(1);
+        }
+    }
+    return out;
 }
 
 static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,

@@ -9,8 +9,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <regex>
-#include <sstream>
+#include <string_view>
 
 namespace agaa {
 
@@ -90,16 +89,48 @@ static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
     return desc;
 }
 
+// Returns whether a line is blank or "#extension NAME : BEHAVIOUR". std::regex is not used, because threads that
+// compile or match one at the same time write to a table of the locale.
+static bool isExtensionLine(std::string_view line) {
+    const auto skip = [&](auto isSkipped) {
+        const auto end = std::find_if_not(line.begin(), line.end(), isSkipped);
+        const auto count = size_t(end - line.begin());
+        line.remove_prefix(count);
+        return count > 0;
+    };
+    const auto isSpace = [](char c) { return c == ' '; };
+    if (line.ends_with('\r'))
+        line.remove_suffix(1);
+    while (line.ends_with(' ') || line.ends_with('\t'))
+        line.remove_suffix(1);
+    if (line.empty())
+        return true;
+    constexpr std::string_view keyword = "#extension";
+    if (!line.starts_with(keyword))
+        return false;
+    line.remove_prefix(keyword.size());
+    if (!skip(isSpace) || !skip(isWordByte))
+        return false;
+    skip(isSpace);
+    if (!line.starts_with(':'))
+        return false;
+    line.remove_prefix(1);
+    skip(isSpace);
+    return skip(isWordByte) && line.empty();
+}
+
 // Checks the text of a host's function and its extension lines.
 static void checkGlsl(const char* glsl, const char* extensions, const char* structure) {
     if (!glsl)
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s::glsl is null.", structure));
-    static const std::regex directive(R"([ \t]*\r?|#extension +\w+ *: *\w+[ \t]*\r?)");
-    std::istringstream lines(extensions ? extensions : "");
-    for (std::string line; std::getline(lines, line);)
-        if (line.size() > 200 || !std::regex_match(line, directive))
+    std::string_view rest(extensions ? extensions : "");
+    while (!rest.empty()) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (line.size() > 200 || !isExtensionLine(line))
             fail(AGAA_ERROR_INVALID_ARGUMENT,
                  format("%s::glslExtensions has more than lines \"#extension NAME : BEHAVIOUR\".", structure));
+    }
 }
 
 // Returns a host's function that is chained to the view, after its text was checked.
