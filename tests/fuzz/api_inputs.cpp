@@ -27,7 +27,7 @@ const char* anyName(Choices& choices, Memory& memory, std::initializer_list<cons
     std::string text;
     do
         text += choices.of(parts);
-    while (!choices.oneIn(3) && text.size() < 300);
+    while (choices.oneIn(2) && text.size() < 300);
     return choices.oneIn(8) ? nullptr : memory.text(text);
 }
 
@@ -86,7 +86,7 @@ const char* anyExtensions(Choices& choices, Memory& memory) {
     if (!choices.oneIn(4))
         return nullptr;
     std::string text;
-    while (!choices.oneIn(3) && text.size() < 2000)
+    while (choices.oneIn(2) && text.size() < 2000)
         text += choices.of(lines);
     if (choices.oneIn(10))
         text += "#extension " + std::string(1000, 'a') + " : enable";

@@ -54,7 +54,7 @@ void runPlanner(Choices& choices) {
     const ViewInput input(choices);
     const AgaaViewDesc* view = choices.oneIn(500) ? nullptr : input.view;
     const AgaaDeviceCaps* caps = input.caps;
-    const uint64_t call = choices.below(64);
+    const uint64_t call = 63 - choices.below(64); // inputs without bytes make the cheapest call
     if (call == 0) {
         runList("agaaQueryPrices", choices, AgaaPrice AGAA_PRICE_INIT,
                 [&](Messages& m, uint32_t* count, AgaaPrice* list) {
