@@ -130,8 +130,8 @@ def table(summary):
     return "\n".join([
         f"{summary['configurations']:,} combinations of a scene, a configuration and an API took {summary['frames']:,} "
         f"frames, which have {summary['nonFinite']} non-finite",
-        f"channels, {summary['sanitised']} sanitised materials and {summary['lostFragments']} lost fragments. Devices: "
-        f"{devices}.", "", *lines])
+        f"channels, {summary['sanitised']} sanitised materials and {summary['lostFragments']} lost fragments. The devices "
+        f"are", f"{devices}.", "", *lines])
 
 
 def updated(text, summary):

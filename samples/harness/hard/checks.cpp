@@ -49,14 +49,15 @@ Finding bitsOfBackground(const Rendered& frame) {
 Finding wholeWeights(const Rendered& frame) {
     const double n = frame.configuration.samples;
     double farthest = 0;
+    if (frame.configuration.technique == "fxaa") // it blends pixels
+        return {0, 0.002};
     for (const float value : frame.result.image.rgb) {
         const double weight = n * double(value);
         const double distance = std::fabs(weight - std::round(weight));
         if (!(distance <= farthest))
             farthest = distance;
     }
-    // fxaa blends pixels, so that its weights are arbitrary.
-    return {farthest, frame.configuration.technique == "fxaa" ? 0.5 : 0.002};
+    return {farthest, 0.002};
 }
 
 Finding rampError(const Rendered& frame) {

@@ -11,7 +11,8 @@ Finding differenceFromOther(const Rendered& frame, double bound);
 Finding bitsOfOther(const Rendered& frame);
 // The number of channels that differ from the background in any bit, or for fxaa by more than a step of half floats.
 Finding bitsOfBackground(const Rendered& frame);
-// The largest distance of a pixel from a whole number of samples of emission 1 over black, in samples.
+// The largest distance of a pixel from a whole number of samples of emission 1 over black, in samples. 0 for fxaa,
+// which blends pixels.
 Finding wholeWeights(const Rendered& frame);
 // The largest error of the bars of hard-dark-ramp, in codes of a sample whose sum has 16 bits. A black bar is infinite.
 Finding rampError(const Rendered& frame);
