@@ -5,8 +5,8 @@
  * Vulkan they are in descriptor set 1 (AgaaVkFrame::functionSet); on OpenGL they are where agaaGlRecordFrame
  * describes. Names that begin with agaa, Agaa or AGAA_ belong to the library, except for the functions that the host
  * defines. If a text does not compile, creating the view fails with AGAA_ERROR_INVALID_ARGUMENT and the compiler's
- * first message. It fails in the same way if more than 500 operators and brackets are within each other, because
- * compilers recurse. docs/shader-interface.md describes the structs.
+ * first message. It fails in the same way if the text is nested more than 500 levels deep, because compilers recurse;
+ * macros are not expanded to find this. docs/shader-interface.md describes the structs.
  * SPDX-License-Identifier: MIT */
 #ifndef AGAA_FUNCTIONS_H
 #define AGAA_FUNCTIONS_H

@@ -64,7 +64,15 @@ TEST(HostText, DepthCountsOperatorsAndBrackets) {
                                    "if (x) y; else ", "x ? y : ", "x = ", "do ", "while (x) "})
         EXPECT_GT(expressionDepth("void f() { " + repeated(part, 501)), maxExpressionDepth) << part;
     EXPECT_GT(expressionDepth("#define A x" + repeated(" + x", 501) + "\n"), maxExpressionDepth);
-    EXPECT_GT(expressionDepth("#define A x \\\n" + repeated(" + x \\\n", 501) + "\n"), maxExpressionDepth);
+    const std::string deep = "float f(float x) { return x" + repeated(" + x", 501) + "; }";
+    for (const std::string lineEnd : {"\n", "\r", "\r\n"}) {
+        EXPECT_GT(expressionDepth("#define A x \\" + lineEnd + repeated(" + x \\" + lineEnd, 501) + lineEnd),
+                  maxExpressionDepth);
+        EXPECT_GT(expressionDepth("// a comment" + lineEnd + deep), maxExpressionDepth);
+        EXPECT_GT(expressionDepth("#define A" + lineEnd + deep), maxExpressionDepth);
+        EXPECT_GT(expressionDepth("// a comment \\" + lineEnd + "/* within it" + lineEnd + deep), maxExpressionDepth);
+        EXPECT_LT(expressionDepth("/\\" + lineEnd + "/ " + deep), 30u) << "a comment";
+    }
 }
 
 TEST(HostText, DepthDoesNotCountLengths) {
@@ -107,8 +115,7 @@ TEST(HostText, ViewsRefuseTextThatIsTooDeepForCompilers) {
                     compileCompute(passGlsl(pass), pass.compute().hostCodeOrigin.c_str());
                 } catch (const Error& error) {
                     EXPECT_EQ(error.code, AGAA_ERROR_INVALID_ARGUMENT);
-                    EXPECT_EQ(error.message, "AgaaShadowFunction::glsl has more than 500 operators and brackets within "
-                                             "each other.");
+                    EXPECT_EQ(error.message, "AgaaShadowFunction::glsl is nested more than 500 levels deep.");
                     ++refused;
                 }
                 EXPECT_THROW(passGlslForOpenGl(pass, 450), Error);

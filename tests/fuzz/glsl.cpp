@@ -43,7 +43,8 @@ std::string hardText(Choices& choices) {
     case 1:
         return "#error a host's error " + repeated("x", count) + "\n";
     case 2:
-        return "// " + repeated("x", count) + "\n";
+        return "// " + repeated("x", count) + std::string(choices.oneIn(2) ? "\r" : " \\\n/* within the comment\n") +
+               "float f14(float x) { return x" + repeated(" + x", count) + "; }\n";
     case 3:
         return "float f0() { return " + repeated("(", count) + "1.0" + repeated(")", count) + "; }\n";
     case 4:

@@ -3,23 +3,36 @@
 #include "core/base/names.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace agaa {
 
 namespace {
 
-// Returns the length of the comment, space or escaped line break at the beginning of a text.
+bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+
+// Returns the text without escaped line breaks, which may be anywhere: in a comment, or between two signs of one token.
+std::string joinedLines(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    for (size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '\\' && i + 1 < text.size() && isLineEnd(text[i + 1]))
+            i += text.substr(i + 1).starts_with("\r\n") ? 2 : 1;
+        else
+            out += text[i];
+    return out;
+}
+
+// Returns the length of the comment or space at the beginning of a text.
 size_t skippedLength(std::string_view text) {
     size_t length = 0;
     if (text.starts_with("//")) {
-        length = text.find('\n');
+        length = text.find_first_of("\n\r");
     } else if (text.starts_with("/*")) {
         const size_t end = text.find("*/", 2);
         length = end == std::string_view::npos ? end : end + 2;
-    } else if (text.starts_with("\\\n")) {
-        length = 2;
-    } else if (text[0] == ' ' || text[0] == '\t' || text[0] == '\r') {
+    } else if (text[0] == ' ' || text[0] == '\t') {
         length = 1;
     }
     return std::min(length, text.size());
@@ -99,15 +112,17 @@ private:
 
 } // namespace
 
-size_t expressionDepth(std::string_view glsl) {
-    Nesting text, directive;
+size_t expressionDepth(std::string_view text) {
+    const std::string joined = joinedLines(text);
+    const std::string_view glsl = joined;
+    Nesting code, directive;
     size_t deepest = 0;
     bool isDirective = false;
     for (size_t i = 0; i < glsl.size();) {
-        Nesting& nesting = isDirective ? directive : text;
+        Nesting& nesting = isDirective ? directive : code;
         if (const size_t skipped = skippedLength(glsl.substr(i)); skipped > 0) {
             i += skipped;
-        } else if (glsl[i] == '\n') {
+        } else if (isLineEnd(glsl[i])) {
             deepest = std::max(deepest, directive.deepest());
             directive = {};
             isDirective = false;
@@ -125,7 +140,7 @@ size_t expressionDepth(std::string_view glsl) {
             nesting.takeSign(glsl[i++]);
         }
     }
-    return std::max({deepest, directive.deepest(), text.deepest()});
+    return std::max({deepest, directive.deepest(), code.deepest()});
 }
 
 } // namespace agaa

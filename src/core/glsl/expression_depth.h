@@ -13,6 +13,6 @@ inline constexpr size_t maxExpressionDepth = 500;
 // Returns the largest number of brackets, operators and statements that are within each other. Operators at one level
 // count one by one, because compilers nest them. Commas between arguments and between elements of lists do not count.
 // Macros are not expanded.
-size_t expressionDepth(std::string_view glsl);
+size_t expressionDepth(std::string_view text);
 
 } // namespace agaa

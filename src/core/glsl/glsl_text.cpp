@@ -86,7 +86,7 @@ std::string coverageGlsl() {
 static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,
                             const std::string& head) {
     if (expressionDepth(pass.compute().hostCode) > maxExpressionDepth)
-        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s has more than %zu operators and brackets within each other.",
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is nested more than %zu levels deep.",
                                                  pass.compute().hostCodeOrigin.c_str(), maxExpressionDepth));
     std::string text;
     if (pass.compute().text.empty())
