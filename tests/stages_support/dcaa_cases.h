@@ -105,21 +105,40 @@ inline std::vector<Triangle> tangle(uint32_t count) {
     return list;
 }
 
-// Lists are sorted by depth, so that the order of the draws changes no bit where no depths are equal. Merging in the
-// order of the draws shows what the sort is for: another order shows another image.
+// Strips of one depth, several in each pixel, with normals that differ.
+inline std::vector<Triangle> facingStrips() {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> tilt(-0.5f, 0.5f);
+    std::vector<Triangle> list;
+    for (float x = 2; x < 40; x += 0.17f) {
+        Material material = randomMaterial(random);
+        material.normal = glm::vec4(glm::normalize(glm::vec3(tilt(random), tilt(random), 1)), 0.3f);
+        for (const Triangle& t : rectangle(x, 3.4f, x + 0.17f, 28.7f, 5, material))
+            list.push_back(t);
+    }
+    return list;
+}
+
+// Lists are sorted by depth and coverage, so that the order of the draws changes no bit. Merging in the order of the
+// draws shows what the sort is for: another order shows another image.
 TYPED_TEST_P(DcaaCases, HardCase67OrderOfDrawsIsFree) {
-    const Shot shot{.triangles = tangle(400), .change = addAmbient};
-    const Shot reversed{.triangles = {shot.triangles.rbegin(), shot.triangles.rend()}, .change = addAmbient};
-    for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS}) {
-        SCOPED_TRACE(agaaTierName(tier));
-        ViewSettings settings = dcaaSettings(64, 2, tier);
-        settings.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER;
-        EXPECT_NE(this->render(settings, reversed).rgb, this->render(settings, shot).rgb) << "the naive order";
-        for (const uint64_t flags : {UINT64_C(0), AGAA_COVERAGE_EXACT}) {
-            settings.config.coverage.flags = flags;
-            const Shown one = this->render(settings, shot), other = this->render(settings, reversed);
-            EXPECT_EQ(other.rgb, one.rgb) << flags;
-            EXPECT_EQ(one.counters.lostSamples + other.counters.lostSamples, 0u);
+    for (const bool isFacing : {false, true}) {
+        const std::vector<Triangle> triangles = isFacing ? facingStrips() : tangle(400);
+        const Shot shot{.triangles = triangles, .change = addAmbient};
+        const Shot reversed{.triangles = {triangles.rbegin(), triangles.rend()}, .change = addAmbient};
+        for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS}) {
+            SCOPED_TRACE(std::string(agaaTierName(tier)) + (isFacing ? ", facing" : ""));
+            ViewSettings settings = dcaaSettings(64, 2, tier);
+            if (isFacing)
+                settings.projection = pixelOrthographic(48, 32, 10);
+            settings.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER;
+            EXPECT_NE(this->render(settings, reversed).rgb, this->render(settings, shot).rgb) << "the naive order";
+            for (const uint64_t flags : {UINT64_C(0), AGAA_COVERAGE_EXACT}) {
+                settings.config.coverage.flags = flags;
+                const Shown one = this->render(settings, shot), other = this->render(settings, reversed);
+                EXPECT_EQ(other.rgb, one.rgb) << flags;
+                EXPECT_EQ(one.counters.lostSamples + other.counters.lostSamples, 0u);
+            }
         }
     }
 }

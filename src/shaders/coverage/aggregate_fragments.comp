@@ -87,8 +87,8 @@ uint agaa_countShown(uint head, uint least) {
     return count;
 }
 
-// Adds up to agaa_maxClustered fragments, those that show at most samples. Of equal ones it takes every so many, so
-// that no depth is left out. Returns their number.
+// Adds up to agaa_maxClustered fragments, those with the most visible samples. Among fragments with equally many, it
+// takes evenly spaced ones, so that near and far ones are represented. Returns their number.
 uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, uint shown) {
     // All fragments with this number of samples have room: at most 32 fragments have 4 of 128 samples.
     uint enough = 1u;

@@ -4,20 +4,25 @@
 #define AGAA_LIST_ORDER_GLSL
 #include "coverage/fragment_words.glsl"
 
-// Returns whether the first fragment precedes the second. Equal depths are ordered by id. Fragments of material lists
-// may share an id; their further words then decide, so that frames are repeatable.
+// Returns the first word from `first` on that differs between two fragments, or `end`.
+uint agaa_firstDifference(uint record, uint other, uint first, uint end) {
+    uint word = first;
+    while (word < end && agaa_fragments.words[record + word] == agaa_fragments.words[other + word])
+        ++word;
+    return word;
+}
+
+// Returns whether the first fragment precedes the second: by depth, then by coverage, neither of which depends on the
+// draws, then by id. Fragments of material lists may share an id; their further words then decide, so that frames are
+// repeatable.
 bool agaa_isBefore(uint record, uint other) {
-    uint word = AGAA_FRAGMENT_DEPTH_AT;
-    if (agaa_fragments.words[record + word] == agaa_fragments.words[other + word]) {
-        word = 0u;
+    bool isByDepth = agaa_fragments.words[record + AGAA_FRAGMENT_DEPTH_AT] != 0u;
+    uint word = isByDepth ? agaa_firstDifference(record, other, AGAA_FRAGMENT_DEPTH_AT, AGAA_PAYLOAD_AT) : 0u;
+    word = word < AGAA_PAYLOAD_AT ? word : 0u;
 #ifdef AGAA_MATERIAL_LISTS
-        if (agaa_fragments.words[record] == agaa_fragments.words[other])
-            word = AGAA_FRAGMENT_MASK_AT;
-        while (word != 0u && word + 1u < AGAA_FRAGMENT_WORDS &&
-               agaa_fragments.words[record + word] == agaa_fragments.words[other + word])
-            ++word;
+    if (word == 0u && agaa_fragments.words[record] == agaa_fragments.words[other])
+        word = agaa_firstDifference(record, other, AGAA_FRAGMENT_MASK_AT, AGAA_FRAGMENT_WORDS - 1u);
 #endif
-    }
     return agaa_fragments.words[record + word] < agaa_fragments.words[other + word];
 }
 
