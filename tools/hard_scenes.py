@@ -15,7 +15,6 @@ import sys
 CLASSES = "every sample", "surfaces", "aggregates", "one aggregate"
 BEGIN, END = "<!-- hard-scenes begin -->", "<!-- hard-scenes end -->"
 PART = re.compile(f"{BEGIN}\n.*?{END}", re.DOTALL)
-KEPT = "mseTm", "maxMseTm", "meanError", "maxMeanError"
 
 
 class Error(Exception):

@@ -66,7 +66,7 @@ AgaaDecoupledCoverage* anyCoverage(Choices& choices, Memory& memory, uint32_t sa
     value.merge = uint32_t(choices.below(choices.oneIn(30) ? 5 : 3));
     value.fragmentsPerPixel = choices.oneIn(20) ? choices.number() : float(1 + choices.below(256));
     value.maxBatches = uint32_t(choices.oneIn(2) ? 1 : choices.below(18));
-    value.flags = choices.oneIn(4) ? choices.oneIn(10) ? choices.bits() : AGAA_COVERAGE_EXACT : 0;
+    value.flags = choices.oneIn(4) ? choices.oneIn(10) ? choices.bits() : choices.below(4) : 0;
     if (choices.oneIn(3))
         value.samplePositions = memory.numbers(2 * size_t(std::min(samples, 128u)), !choices.oneIn(4));
     value.tableSize = choices.oneIn(3) ? choices.word() : 0;

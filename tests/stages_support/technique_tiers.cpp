@@ -22,6 +22,7 @@ const std::vector<TechniqueTier>& techniqueTiers() {
         {.technique = "ssaa", .n = 9, .visibility = AGAA_TIER_ORDERED_GRID, .evaluations = EachTexel},
         {.technique = "simple_complex", .n = 8, .evaluations = EachTexel},
         {.technique = "sbaa", .n = 8, .tier = AGAA_TIER_PER_SAMPLE, .evaluations = EachSample},
+        {.technique = "sbaa", .n = 8, .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .evaluations = EachTexel},
         {.technique = "sbaa", .n = 8, .tier = AGAA_TIER_GBUFFER, .evaluations = EachTexel},
         {.technique = "agaa",
          .n = 4,

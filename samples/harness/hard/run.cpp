@@ -19,6 +19,10 @@ struct Errors {
     double mseTm = 0, maxTm = 0, meanError = 0;
 };
 
+bool isBlack(const Image& image) {
+    return std::ranges::all_of(image.rgb, [](float value) { return value <= 0; });
+}
+
 Errors errorsOf(const Image& image, const Image& reference) {
     Errors errors;
     double sum = 0, expected = 0;
@@ -247,6 +251,8 @@ private:
         }
         if (frame.check)
             result.finding = frame.check(rendered);
+        if (configuration.samples >= 8 && isBlack(rendered.result.image) && !isBlack(reference.image))
+            result.failure = "black image";
     }
 
     // Backends share references, whose errors are larger than the difference of the backends.

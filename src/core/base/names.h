@@ -18,7 +18,7 @@ inline bool isWordByte(char c) {
 bool isSameName(std::string_view a, std::string_view b);
 
 // Returns text of a host or a driver for a sentence: UTF-8 of one line. Control characters and bytes that are not UTF-8
-// become "\\x0A". Text behind maxBytes is left out.
+// become "\\x0A". Text after the first maxBytes is left out.
 std::string printable(std::string_view text, size_t maxBytes = 64);
 
 bool isTier(uint32_t tier);
