@@ -25,15 +25,15 @@ ViewSpec carried() {
 
 uint64_t bytesOf(const Plan& plan, const std::string& name) { return plan.resources[plan.surface(name.c_str())].bytes; }
 
-// Number, next fragment, coverage, depth plane, normal and material.
-TEST(CoveragePlan, FragmentsWithMaterialsAreOf36Bytes) {
+// Id, next fragment, depth, coverage, depth plane, normal and material.
+TEST(CoveragePlan, FragmentsWithMaterialsAreOf40Bytes) {
     ViewSpec spec = carried();
     const Plan plan = planFor(spec, idealDevice());
     const uint64_t pixels = uint64_t(spec.width) * spec.height;
     EXPECT_EQ(plan.bytesPerAggregate, 28u);
     EXPECT_EQ(bytesOf(plan, "surfaces"), 112 * pixels);
-    EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 36) * pixels + 64);
-    for (const auto& [samples, bytes] : {std::pair{32u, 32u}, {128u, 44u}}) {
+    EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 40) * pixels + 64);
+    for (const auto& [samples, bytes] : {std::pair{32u, 36u}, {128u, 48u}}) {
         spec.samples = samples;
         EXPECT_EQ(bytesOf(planFor(spec, idealDevice()), "fragments"), (4 + 8 * bytes) * pixels + 64) << samples;
     }
@@ -49,7 +49,7 @@ TEST(CoveragePlan, EllipticLobesTakeEightBytes) {
         EXPECT_EQ(plan.view.config.ndf, ndf);
         EXPECT_EQ(plan.bytesPerAggregate, 36u);
         EXPECT_EQ(bytesOf(plan, "surfaces"), 144 * pixels);
-        EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 44) * pixels + 64);
+        EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 48) * pixels + 64);
         EXPECT_TRUE(std::ranges::count(plan.effects, "elliptic-lobes"));
     }
     spec.facts = AGAA_FACT_EMISSIVE; // no highlights
