@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<const char*, 3> channelNames = {"R", "G", "B"};
 // The limit keeps a damaged header from causing a huge allocation.
 constexpr int64_t maxSide = 1 << 16;
-constexpr int64_t maxPixels = int64_t(1) << 28;
+constexpr int64_t maxPixels = int64_t(1) << 26; // 768 MiB
 
 // The library's messages may have several sentences, line breaks, and names that a damaged file has. The result is one
 // sentence.
