@@ -97,10 +97,13 @@ AgaaFrameStatistics* anyStatistics(Choices& choices, Memory& memory) {
 }
 
 void checkChoice(const AgaaChoice& choice) {
-    for (const float value :
-         {choice.errorShare, choice.errorShareMedian, choice.errorShareWorst, choice.error, choice.milliseconds})
+    for (const auto& [name, value] : {std::pair("a share of the error", choice.errorShare),
+                                      {"a median share of the error", choice.errorShareMedian},
+                                      {"a worst share of the error", choice.errorShareWorst},
+                                      {"an error", choice.error},
+                                      {"milliseconds", choice.milliseconds}})
         if (!std::isfinite(value) || value < 0)
-            report("agaaChooseSettings predicts " + std::to_string(value));
+            report("agaaChooseSettings predicts " + std::string(name) + ": " + std::to_string(value));
     for (const float value : choice.memory)
         if (!std::isfinite(value) || value < 0)
             report("agaaChooseSettings remembers " + std::to_string(value));

@@ -56,7 +56,7 @@ size_t ChoiceMemory::indexOf(const ChoiceRow& row) { return size_t(&row - choice
 SceneTerms ChoiceMemory::terms(const AgaaSceneFacts& facts) const {
     SceneTerms terms = usualTerms(facts);
     if (numbers_.complexity > 0)
-        terms.complexity = numbers_.complexity - 1;
+        terms.complexity = std::max(double(numbers_.complexity) - 1, 0.0); // hosts may have changed the memory
     if (numbers_.count > 0) {
         terms.coverage = numbers_.coverage;
         terms.lights = numbers_.lights;
@@ -80,8 +80,7 @@ void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow& row) {
     const double events = double(o.eventsPerPixel) / o.coverage;
     if (const std::optional<double> complexity = complexityOf(row, events))
         addTo(numbers_.complexity, *complexity + 1, numbers_.complexity > 0 ? count : 1);
-    const double usual =
-        numbers_.complexity > 0 ? numbers_.complexity - 1 : usualTerms(AGAA_SCENE_FACTS_INIT).complexity;
+    const double usual = terms(AGAA_SCENE_FACTS_INIT).complexity;
     addTo(numbers_.coverage, o.coverage, count);
     addTo(numbers_.lights, o.lightsPerEvent / row.lightRatio, count);
     if (const double taps = tapsOf(row, usual); taps > 0)
@@ -143,7 +142,8 @@ double ChoiceMemory::growth(const Row* memory, double seen, double pixels) const
     double assumed = 1 / (1 + std::sqrt(pixels / seen));
     if (numbers_.growthPixels > 0) {
         const double growing = double(numbers_.growth) * seen / double(numbers_.growthPixels);
-        assumed = growing / std::max(1 - double(numbers_.growth) + growing, 1e-12);
+        // A host may have changed the memory, and with it the growth.
+        assumed = std::clamp(growing / std::max(1 - double(numbers_.growth) + growing, 1e-12), 0.0, 1.0);
     }
     if (!memory)
         return assumed;
