@@ -48,8 +48,9 @@ void expectNoMessages(Renderer& renderer);
 void expectEverySampleOnce(const AgaaCounters& counters);
 // The above; no pixel with more events than aggregates; as many bytes as predicted; nothing infinite.
 void expectWholeFrame(const RenderResult& result, uint32_t aggregates);
-// Expects two frames to be equal bit by bit, with each technique and with the tiers that keep lists.
-void expectImagesRepeat(Renderer& renderer, const RenderSettings& settings);
+// Expects two frames to be equal bit by bit, with ssaa and agaa, or with each technique and with the tiers that keep
+// lists.
+void expectImagesRepeat(Renderer& renderer, const RenderSettings& settings, bool inEveryTier);
 // Expects equal images for two orders of the draws, for G-buffers and for lists of fragments. The scene must have no
 // equal depths.
 void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings);
