@@ -303,7 +303,8 @@ AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize
  *                                         segment is missing or repeated, or transform feedback is active and not
  *                                         paused
  *           AGAA_ERROR_UNSUPPORTED        the output's format does not support image stores
- *           AGAA_ERROR_CALLBACK           a callback failed. The output is unchanged; earlier passes have run
+ *           AGAA_ERROR_CALLBACK           a callback failed. The output is unchanged; earlier passes have run, so
+ *                                         that an unfinished frame cannot continue: the next call begins a frame
  *           AGAA_ERROR_DEVICE             the context is lost. If it has GL_LOSE_CONTEXT_ON_RESET, the SDK calls
  *                                         glGetGraphicsResetStatus, which may report a reset only once: take this
  *                                         error for a reset

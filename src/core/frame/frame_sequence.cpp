@@ -87,7 +87,7 @@ void FrameSequence::failed(const AgaaFrame& frame) {
 
 void FrameSequence::abortedAfterExecution(const AgaaFrame& frame) {
     slots_[slotOf(frame)].complete = false;
-    failed(frame);
+    segments_ = AGAA_SEGMENT_ALL;
 }
 
 const FrameSequence::Slot* FrameSequence::find(uint64_t frame) const {

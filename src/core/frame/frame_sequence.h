@@ -30,7 +30,8 @@ public:
     // Recording failed, and the host discards the commands. If earlier segments were recorded, the frame cannot
     // continue.
     void failed(const AgaaFrame& frame);
-    // Does what failed() does after earlier commands were executed: the previous contents of the slot are lost.
+    // Commands of a segment were executed before it failed: the previous contents of the slot and of the surfaces are
+    // lost. Neither this frame nor an earlier one whose segments are missing can continue.
     void abortedAfterExecution(const AgaaFrame& frame);
 
     struct Slot {

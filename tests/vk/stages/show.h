@@ -29,6 +29,7 @@ struct VulkanHost {
     using Ids = IdsView;
     static constexpr auto recordFrame = agaaVkRecordFrame;
     static constexpr bool runsAll = true;
+    static constexpr bool runsAtOnce = false;
 
     // Of a context that change(desc) changes.
     template <class Change> static HostOptions changed(const Change& change) { return {.change = change}; }
