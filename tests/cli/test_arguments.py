@@ -178,7 +178,7 @@ class Arguments(unittest.TestCase):
                     file.write('{"attributes": [{"semantic": "diffuse", "channels": %s, "sampleBits": 8},'
                                '{"semantic": "normal", "channels": 3, "sampleBits": 16}]}' % channels)
                 self.check(["memory", "--layout", path], 2)
-                self.assertIn("is no count", harness.run("memory", "--layout", path).stderr)
+                self.assertIn("is not a whole number from 0 to", harness.run("memory", "--layout", path).stderr)
 
     def test_help_exits_with_0(self):
         self.assertEqual(harness.run("--help").returncode, 0)
