@@ -1,5 +1,6 @@
 // Spread of a surface's unit normals around their mean: second moments in its tangent plane, which merge with those of
-// other surfaces as if all normals were known. Lobes widen in each direction by the spread there.
+// other surfaces nearly as if all normals were known: products with the mean direction are not kept. Lobes widen in
+// each direction by the spread there.
 // Source: Olano and Baker 2010, "LEAN Mapping": moments of normals are linear.
 #ifndef AGAA_MATH_NORMAL_SPREAD_GLSL
 #define AGAA_MATH_NORMAL_SPREAD_GLSL
