@@ -71,7 +71,8 @@ TEST(FacetNormal, IsThatOfThePlane) {
             view.p32 = view.isOrthographic ? 1 - view.p32 : -view.p32;
         }
         // Standard depth and depths of a parallel projection are too coarse for float far from the eye.
-        const double distance = uniform(nearest, isReversed && !view.isOrthographic ? far : std::min(far, 30 * nearest));
+        const double distance =
+            uniform(nearest, isReversed && !view.isOrthographic ? far : std::min(far, 30 * nearest));
         const glm::dvec3 through(uniform(-1, 1) * distance, uniform(-1, 1) * distance, -distance);
         const glm::dvec3 toEye = view.isOrthographic ? glm::dvec3(0, 0, 1) : -glm::normalize(through);
         glm::dvec3 normal = glm::normalize(glm::dvec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)));

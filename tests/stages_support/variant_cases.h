@@ -275,8 +275,8 @@ TYPED_TEST_P(VariantCases, SegmentsHaveTheSameFactsAndVariant) {
     EXPECT_EQ(bench.view.statistics().variantFlags, AGAA_FACT_ALPHA_MASKED);
 }
 
-// A frame that fails to begin leaves the frame before it, which goes on, its variant. If passes of the failed frame have
-// run, its surfaces hold theirs, and the frame before it cannot go on.
+// A frame that fails to begin leaves the frame before it, which goes on, its variant. If passes of the failed frame
+// have run, its surfaces hold theirs, and the frame before it cannot go on.
 TYPED_TEST_P(VariantCases, FailedFramesChangeNoVariant) {
     using Frame = typename TypeParam::Frame;
     BenchOf<TypeParam> bench;

@@ -57,7 +57,7 @@ struct OpenGLHost {
     }
     // Whether turns of a group that have nothing to do are skipped.
     static bool skips(const Context&) { return true; }
-    static constexpr bool runsAtOnce = true; // a call that fails has run its first passes
+    static constexpr bool runsAtOnce = true;      // a call that fails has run its first passes
     static constexpr bool endsRepetitions = true; // the CPU reads the word
     static std::vector<float> rgba(const View& view) { return view.image(); }
     static ShadowMap shadowMap(const Context& context, float depth) {
