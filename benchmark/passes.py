@@ -55,8 +55,9 @@ def render(runs, arguments):
 
 def label(row):
     tier = row["tiers"].get("generation", "")
-    return (f"`{row['technique']}`, {row['samples']}" + (f", {row['aggregates']}" if row["aggregates"] else "")
-            + (f" by {tier}" if tier else ""))
+    return (f"`{row.get('preset') or row['technique']}`, {row['samples']}"
+            + (f", {row['aggregates']}" if row["aggregates"] else "") + (f" by {tier}" if tier else "")
+            + (f", {row['way']}" if row.get("way") else ""))
 
 
 def milliseconds(value):
