@@ -5,14 +5,17 @@
     tools/hard_scenes.py --update            writes the table
     tools/hard_scenes.py --summarise FILE …  writes docs/results/hard-scenes.json from outputs of
                                              `agaa-harness hard-scenes --json` with one set of bounds, then the table
+    tools/hard_scenes.py --bounds FILE …     prints bounds for samples/harness/hard/frames.cpp: twice the largest
+                                             errors of such outputs
 """
 import argparse
 import json
+import math
 import pathlib
 import re
 import sys
 
-CLASSES = "every sample", "surfaces", "aggregates", "one aggregate"
+CLASSES = "few samples", "every sample", "surfaces", "aggregates", "one aggregate"
 BEGIN, END = "<!-- hard-scenes begin -->", "<!-- hard-scenes end -->"
 PART = re.compile(f"{BEGIN}\n.*?{END}", re.DOTALL)
 
@@ -53,9 +56,8 @@ def worst_of(rows, value, bound):
 
 def scene_summary(frame, rows):
     summary = dict(frame, rendered=len(rows), worst={})
-    many = [row for row in rows if row["samples"] >= 8]
     for name in CLASSES:
-        members = [row for row in many if row["shades"] == name]
+        members = [row for row in rows if row["shades"] == name]
         if members:
             error = worst_of(members, lambda row: row["mseTm"], lambda row: row["maxMseTm"])
             mean = worst_of(members, lambda row: row["meanError"], lambda row: row["maxMeanError"])
@@ -102,6 +104,27 @@ def summarise(paths):
                          for reason, names in sorted(refusals.items())]}
 
 
+# ---- bounds --------------------------------------------------------------------------------------
+
+def above(value, least):
+    """Twice the value, rounded up to two digits."""
+    if 2 * value <= least:
+        return least
+    unit = 10 ** (math.floor(math.log10(2 * value)) - 1)
+    return math.ceil(2 * value / unit - 1e-9) * unit
+
+
+def print_bounds(paths):
+    errors = {}
+    for path in paths:
+        for row in json.loads(pathlib.Path(path).read_text())["results"]:
+            errors.setdefault(row["scene"], []).append(row)
+    for scene, rows in errors.items():
+        for value, bound, least in ("mseTm", "maxMseTm", 1e-6), ("meanError", "maxMeanError", 1e-3):
+            largest = [max((row[value] for row in rows if row["shades"] == name), default=0) for name in CLASSES]
+            print(f"{scene}: .{bound} = bounds({', '.join(f'{above(error, least):.2g}' for error in largest)})")
+
+
 # ---- table ---------------------------------------------------------------------------------------
 
 def number(value):
@@ -116,7 +139,7 @@ def cell(worst):
 
 
 def table(summary):
-    rows = [["scene", "cases", *CLASSES, "nearest to its bound", "check"], ["---"] * 8]
+    rows = [["scene", "cases", *CLASSES, "nearest to its bound", "check"], ["---"] * 9]
     for scene in summary["scenes"]:
         worst = scene["worst"]
         nearest = worst_of(worst.values(), lambda w: w["mseTm"], lambda w: w["maxMseTm"])["configuration"] if worst else "–"
@@ -124,7 +147,7 @@ def table(summary):
         rows.append([f"`{scene['scene']}`", scene["cases"], *(cell(worst.get(name)) for name in CLASSES), nearest,
                      f"{scene['check']}: {number(check['value'])} of {number(check['bound'])}" if check else ""])
     lines = ["| " + " | ".join(row) + " |" for row in rows]
-    lines[1] = "|" + "---|" * 8
+    lines[1] = "|" + "---|" * 9
     devices = " and ".join(f"{d['driver']} ({d['backend']})" for d in summary["devices"])
     return "\n".join([
         f"{summary['configurations']:,} combinations of a scene, a configuration and an API took {summary['frames']:,} "
@@ -144,9 +167,12 @@ def main():
     parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[1])
     parser.add_argument("--update", action="store_true")
     parser.add_argument("--summarise", nargs="+", metavar="FILE")
+    parser.add_argument("--bounds", nargs="+", metavar="FILE")
     arguments = parser.parse_args()
     root = arguments.root
     try:
+        if arguments.bounds:
+            return print_bounds(arguments.bounds)
         if arguments.summarise:
             summary = summarise(arguments.summarise)
             results_path(root).write_text(json.dumps(summary, indent=1, ensure_ascii=False) + "\n")

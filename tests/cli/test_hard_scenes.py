@@ -1,9 +1,12 @@
 """The command hard-scenes: bounds hold in a covering set, and a frame beyond them fails."""
+import json
 import os
+import pathlib
 import unittest
 
 import harness
 
+KEPT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "results" / "hard-scenes.json"
 TECHNIQUES = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}
 
 
@@ -42,6 +45,11 @@ class Command(unittest.TestCase):
         self.assertGreaterEqual(len(frames), 28)
         scenes = {scene["name"] for scene in harness.data("scenes")["hardScenes"]}
         self.assertEqual({frame["builtin"] for frame in frames} - scenes, set())
+
+    def test_kept_results_have_these_bounds(self):
+        kept = {scene["scene"]: scene for scene in json.loads(KEPT.read_text())["scenes"]}
+        for frame in hard_scenes("--list"):
+            self.assertEqual({key: kept[frame["scene"]][key] for key in frame}, frame)
 
 
 if __name__ == "__main__":

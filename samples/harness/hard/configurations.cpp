@@ -5,7 +5,8 @@
 namespace harness::hard {
 
 const char* nameOf(Shading shading) {
-    constexpr const char* names[] = {"one sample", "every sample", "surfaces", "aggregates", "one aggregate"};
+    constexpr const char* names[] = {"one sample", "few samples", "every sample",
+                                     "surfaces",   "aggregates",  "one aggregate"};
     static_assert(std::size(names) == kShadings);
     return names[size_t(shading)];
 }
@@ -13,6 +14,8 @@ const char* nameOf(Shading shading) {
 Shading HardConfiguration::shading() const {
     if (samples == 1)
         return Shading::One;
+    if (samples < 8)
+        return Shading::Few;
     if (technique == "ssaa")
         return Shading::Samples;
     if (aggregates == 1)

@@ -11,12 +11,13 @@ namespace harness::hard {
 // The parts of a pixel that a configuration shades. The bounds of errors depend on them.
 enum class Shading {
     One,        // one sample per pixel
+    Few,        // anything of fewer than 8 samples
     Samples,    // every sample
     Surfaces,   // fragments, at least two surfaces, or samples that differ
     Aggregates, // at least two aggregates
     Mean,       // one aggregate or surface
 };
-constexpr size_t kShadings = 5;
+constexpr size_t kShadings = 6;
 const char* nameOf(Shading shading);
 
 struct HardConfiguration {

@@ -45,8 +45,7 @@ struct HardFrame {
     const char* cases; // numbers of docs/numerics.md, as text
     uint32_t width = 64, height = 36;
     uint32_t spp = 64; // of the reference
-    // The largest mean square error after tone mapping, and the largest relative error of the image's mean, at 8
-    // samples and more. At n < 8 samples, errors may be (8 / n)^2 times as large.
+    // The largest mean square error after tone mapping, and the largest relative error of the image's mean.
     Bounds maxMseTm = {};
     Bounds maxMeanError = {};
     void (*adjust)(RenderSettings&) = nullptr;

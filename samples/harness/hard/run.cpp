@@ -238,11 +238,10 @@ private:
         result.maxTm = errors.maxTm;
         result.meanError = errors.meanError;
         const size_t shading = size_t(configuration.shading());
-        const double few = std::pow(8.0 / std::min(configuration.samples, 8u), 2);
         // The reference has an error of its own.
         result.referenceMseTm = reference.splitHalfMseTm;
-        result.maxMseTm = few * frame.maxMseTm[shading] + 4 * result.referenceMseTm;
-        result.maxMeanError = few * frame.maxMeanError[shading];
+        result.maxMseTm = frame.maxMseTm[shading] + 4 * result.referenceMseTm;
+        result.maxMeanError = frame.maxMeanError[shading];
         const auto other = others.find(result.job.configuration);
         if (other != others.end()) {
             rendered.other = &other->second;
