@@ -1,6 +1,6 @@
 // Renders whole frames of random scenes with random settings through the sample engine, valid or not:
 //   agaa-fuzz-frames vk|gl CASES|SECONDSs [SEED [FIRST]]
-// A case is a view and up to 108 frames of it, because views take longer than frames. Pixels must be finite and at most
+// A case is a view and up to 120 frames of it, because views take longer than frames. Pixels must be finite and at most
 // 65504, the validation layers silent. A refused case must have one sentence and leave the renderer as it was: it then
 // renders a plain frame bit for bit.
 #include "choices.h"
@@ -323,7 +323,7 @@ void runCase(Engine& engine, fuzz::Choices& choices) {
     try {
         for (int scenes = 0; scenes < 3; ++scenes) {
             engine.get().load(anyScene(choices));
-            for (int repeats = 0; repeats < 12; ++repeats) {
+            for (int repeats = 0; repeats < 40; ++repeats) {
                 changeFrame(choices, settings, lights);
                 checkImage(engine.get().render(settings).image, settings);
                 frames += settings.frames;
