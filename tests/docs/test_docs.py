@@ -206,7 +206,7 @@ class HardScenes(unittest.TestCase):
         self.assertEqual((run.returncode, again.returncode), (0, 0), run.stderr + again.stderr)
         self.assertEqual(stale.returncode, 1)
         self.assertIn("is not current", stale.stderr)
-        self.assertIn("| `mirror` | 2 | – | – | 2.0e-4 of 1.0e-3 | – | agaa n=8 c=2 ids vk | the plane: 0.5 of 1 |", text)
+        self.assertIn("| `mirror` | 2 | – | – | – | 2.0e-4 of 1.0e-3 | – | agaa n=8 c=2 ids vk | the plane: 0.5 of 1 |", text)
         self.assertIn("2 combinations of a scene, a configuration and an API took 4 frames", text)
 
     def test_runs_beyond_a_bound_are_not_kept(self):
