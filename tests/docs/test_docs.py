@@ -209,6 +209,14 @@ class HardScenes(unittest.TestCase):
         self.assertIn("| `mirror` | 2 | – | – | – | 2.0e-4 of 1.0e-3 | – | agaa n=8 c=2 ids vk | the plane: 0.5 of 1 |", text)
         self.assertIn("2 combinations of a scene, a configuration and an API took 4 frames", text)
 
+    def test_bounds_are_twice_the_largest_errors(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump(self.output(mseTm=2.04e-4), file)
+            file.flush()
+            run = self.check("--bounds", file.name)
+        self.assertIn("mirror: .maxMseTm = bounds(1e-06, 1e-06, 1e-06, 0.00041, 1e-06)", run.stdout, run.stderr)
+        self.assertIn("mirror: .maxMeanError = bounds(0.001, 0.001, 0.001, 0.02, 0.001)", run.stdout)
+
     def test_runs_beyond_a_bound_are_not_kept(self):
         run, *_ = self.summarised(self.output(exceeds="error"))
         self.assertEqual(run.returncode, 1)
