@@ -207,8 +207,10 @@ vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
 vec3 agaa_lightSurface(agaa_Surface s, vec3 position) {
     vec3 toEye = agaa_toEye(position);
     vec3 sum = agaa_allLights(s, position, toEye);
+    if (AGAA_SHADING_COST == 1u) // compilers do not remove a loop without iterations, nor the lighting in it
+        return sum;
     for (uint i = 1u; i < AGAA_SHADING_COST; ++i)
         sum += agaa_allLights(s, position + float(i) * agaa_frame.zero, toEye);
-    return AGAA_SHADING_COST > 1u ? sum / float(AGAA_SHADING_COST) : sum;
+    return sum / float(AGAA_SHADING_COST);
 }
 #endif
