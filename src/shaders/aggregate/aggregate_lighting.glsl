@@ -89,7 +89,7 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
 }
 
 #if AGAA_LIT
-float agaa_sampleLight[32]; // share of a shadow's light that reaches each sample of the current aggregate
+float agaa_sampleLight[AGAA_SAMPLES]; // share of a shadow's light that reaches each sample of the current aggregate
 
 // The includer defines this function. It returns sums over a pixel's samples, each times scale * agaa_sampleLight.
 agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale);
