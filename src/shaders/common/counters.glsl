@@ -1,4 +1,5 @@
-// Counters of compute passes. A workgroup adds its counts to the frame's 64-bit counters once. Needs AGAA_COUNTING.
+// Counters of compute passes. Lanes count in shared memory, because counts in registers of each lane leave GPUs fewer
+// waves. A workgroup adds its counts to the frame's 64-bit counters once. Needs AGAA_COUNTING.
 #ifndef AGAA_COUNTERS_GLSL
 #define AGAA_COUNTERS_GLSL
 #ifndef AGAA_COUNTING
@@ -24,24 +25,25 @@ layout(std430, AGAA_BINDING_COUNTERS) coherent buffer agaa_CounterBlock {
     uint invalidPixels[AGAA_MAX_INVALID_PIXELS][AGAA_INVALID_PIXEL_WORDS];
 } agaa_counterBuffer;
 
-shared uint agaa_groupCounts[AGAA_COUNTS];
-uint agaa_laneCounts[AGAA_COUNTS]; // the last is the largest number of events of a pixel
+shared uint agaa_groupCounts[AGAA_COUNTS]; // the last is the largest number of events of a pixel
 
 void agaa_countBegin() {
     if (gl_LocalInvocationIndex < AGAA_COUNTS)
         agaa_groupCounts[gl_LocalInvocationIndex] = 0u;
-    for (uint i = 0u; i < AGAA_COUNTS; ++i)
-        agaa_laneCounts[i] = 0u;
     barrier();
 }
-void agaa_count(uint which, uint amount) { agaa_laneCounts[which] += amount; }
+void agaa_count(uint which, uint amount) {
+    if (amount != 0u)
+        atomicAdd(agaa_groupCounts[which], amount);
+}
 // Counts the events of one pixel.
 void agaa_countEvents(uint count) {
-    agaa_laneCounts[AGAA_COUNT_EVENTS] += count;
-    agaa_laneCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_laneCounts[AGAA_COUNT_MAX_EVENTS], count);
-    if (count != 0u)
-        ++agaa_laneCounts[AGAA_COUNT_PIXELS_OF_1 +
-                          min(uint(findMSB(count - 1u) + 1), AGAA_COUNT_PIXELS_OF_MORE - AGAA_COUNT_PIXELS_OF_1)];
+    if (count == 0u)
+        return;
+    uint bin = min(uint(findMSB(count - 1u) + 1), AGAA_COUNT_PIXELS_OF_MORE - AGAA_COUNT_PIXELS_OF_1);
+    atomicAdd(agaa_groupCounts[AGAA_COUNT_EVENTS], count);
+    atomicAdd(agaa_groupCounts[AGAA_COUNT_PIXELS_OF_1 + bin], 1u);
+    atomicMax(agaa_groupCounts[AGAA_COUNT_MAX_EVENTS], count);
 }
 // Reports samples of the pixel about which the geometry passes disagree.
 void agaa_reportPixel(uvec2 pixel, uvec4 visible, uvec4 uncovered, uvec4 overlapping) {
@@ -60,10 +62,6 @@ void agaa_reportPixel(uvec2 pixel, uint visible, uint uncovered, uint overlappin
     agaa_reportPixel(pixel, uvec4(visible, 0u, 0u, 0u), uvec4(uncovered, 0u, 0u, 0u), uvec4(overlapping, 0u, 0u, 0u));
 }
 void agaa_countEnd() {
-    for (uint i = 0u; i < AGAA_COUNT_MAX_EVENTS; ++i)
-        if (agaa_laneCounts[i] != 0u)
-            atomicAdd(agaa_groupCounts[i], agaa_laneCounts[i]);
-    atomicMax(agaa_groupCounts[AGAA_COUNT_MAX_EVENTS], agaa_laneCounts[AGAA_COUNT_MAX_EVENTS]);
     barrier();
     uint i = gl_LocalInvocationIndex;
     // The index is in range for all invocations, because Mesa reads the right side of && regardless of the left side.
