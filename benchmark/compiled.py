@@ -123,15 +123,17 @@ class Compiler:
         self.icd = found[0]
         self.folder = tempfile.TemporaryDirectory()
         for chip in CHIPS:
-            if not isinstance(reason := self.compile(configurations()[0], chip), dict):
-                raise Unavailable(f"RADV does not compile for {chip}: {reason}")
+            done, _ = self.run(configurations()[0], chip, ["--no-counters"])
+            if done.returncode == 1:
+                raise Unavailable(f"RADV does not compile for {chip}: {last_line(done)}")
+            self.driver = json.loads(done.stdout)["driver"]
         return self
 
     def __exit__(self, *error):
         self.folder.cleanup()
 
-    def compile(self, configuration, chip):
-        """The figures of each pass of a configuration by name, or the reason for which the SDK refuses it."""
+    def run(self, configuration, chip, options):
+        """The finished process, and the statistics that the layer wrote."""
         out, cache = (pathlib.Path(self.folder.name) / chip / name for name in ("out", "cache"))
         cache.mkdir(parents=True, exist_ok=True)
         out.write_text("")
@@ -139,17 +141,24 @@ class Compiler:
                            VK_LAYER_PATH=str(self.layer), VK_INSTANCE_LAYERS="VK_LAYER_AGAA_compiled",
                            MESA_SHADER_CACHE_DISABLE="true", AGAA_COMPILED_OUT=str(out), AGAA_COMPILED_CACHE=str(cache))
         environment.pop("AGAA_DEVICE", None)
-        command = [self.harness, "render", *SCENE, *([] if self.counters else ["--no-counters"]), "--json",
-                   *configuration.options]
+        command = [self.harness, "render", *SCENE, *options, "--json", *configuration.options]
         done = subprocess.run(command, env=environment, capture_output=True, text=True)
-        lines = [json.loads(line) for line in out.read_text().splitlines()]
-        if done.returncode == 0:
-            self.driver = json.loads(done.stdout)["driver"]
+        if done.returncode not in (0, 1):
+            raise RuntimeError(f"{configuration.name}: exit status {done.returncode}: {last_line(done)}")
+        return done, [json.loads(line) for line in out.read_text().splitlines()]
+
+    def compile(self, configuration, chip):
+        """The figures of each pass of a configuration by name, or the reason for which the SDK refuses it."""
+        done, lines = self.run(configuration, chip, [] if self.counters else ["--no-counters"])
+        # Frames with counters fail after their pipelines are compiled, because no frame is executed.
+        if done.returncode == 0 or (lines and self.counters):
             return passes_of(lines, chip)
-        message = (done.stderr.strip().splitlines()[-1:] or ["no message"])[0]
-        if done.returncode != 1:
-            raise RuntimeError(f"{configuration.name}: exit status {done.returncode}: {message}")
-        return message
+        return last_line(done)
+
+
+def last_line(done):
+    """The last message of a process."""
+    return (done.stderr.strip().splitlines()[-1:] or ["no message"])[0]
 
 
 def passes_of(lines, chip):
