@@ -96,7 +96,7 @@ typedef struct AgaaVkDeviceDesc {
     uint32_t enabledExtensionCount;
     uint32_t descriptorSet; /* index of the SDK's descriptor set in the host's pipeline layouts, [0, 7] */
     /* VkPhysicalDeviceFeatures2 with the chain that was passed to vkCreateDevice. Null: the host enabled every
-     * feature of AgaaVkRequirements that the device has; conditionalRendering and
+     * feature of AgaaVkRequirements that the device has; conditionalRendering, computeFullSubgroups and
      * rasterizationOrderColorAttachmentAccess are then not used. */
     const void* enabledFeatures;
     /* VkPipelineCache that outlives the context. With 0, the SDK uses an empty cache of its own. The cache must not

@@ -336,6 +336,20 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
 } AgaaDebugView;
 
+/* The lanes of compute passes that group the samples of pixels: those of "agaa", except the tier FRAGMENTS, and of
+ * "sbaa". The image and the counters do not depend on the value. A value that the device cannot run fails with
+ * AGAA_ERROR_UNSUPPORTED. Notes of the plan name the choice of AUTO and its reason. */
+typedef enum AgaaLanes {
+    AGAA_LANES_AUTO = 0,            /* PIXEL on AGAA_DEVICE_SOFTWARE and with one sample, otherwise the last of the
+                                       others that runs */
+    AGAA_LANES_PIXEL = 1,           /* one lane per pixel; it keeps the samples in arrays */
+    AGAA_LANES_SAMPLE_SHARED = 2,   /* one lane per sample; lanes exchange values through shared memory. Requires
+                                       AgaaDeviceCaps::maxSharedBytes, more for larger n */
+    AGAA_LANES_SAMPLE_SUBGROUP = 3, /* one lane per sample; lanes exchange values by subgroup operations. Requires
+                                       AgaaDeviceCaps::subgroupSize in [n, 64] and ::maxSharedBytes */
+    AGAA_LANES_MAX_ENUM = 0x7FFFFFFF
+} AgaaLanes;
+
 /* Bits of AgaaMeasurement::flags. */
 /* Do not filter the diffuse term by the spread of normals. */
 #define AGAA_MEASURE_NO_DIFFUSE_FILTER UINT64_C(0x01)
@@ -362,13 +376,13 @@ typedef struct AgaaMeasurement {
     uint32_t shadingCost; /* lighting is evaluated this many times, [1, 64] */
     uint32_t debugView;   /* AgaaDebugView */
     uint32_t seeds;       /* AgaaSeeds of "agaa" */
-    uint32_t reserved;    /* 0 */
+    uint32_t lanes;       /* AgaaLanes of "agaa" and "sbaa" */
     uint64_t flags;       /* AGAA_MEASURE_… */
 } AgaaMeasurement;
 #define AGAA_MEASUREMENT_INIT                                                                                          \
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_MEASUREMENT, (uint32_t)sizeof(AgaaMeasurement), NULL, 1, AGAA_DEBUG_VIEW_NONE,             \
-            AGAA_SEEDS_MAXIMIN, 0, 0                                                                                   \
+            AGAA_SEEDS_MAXIMIN, AGAA_LANES_AUTO, 0                                                                     \
     }
 AGAA_API void AGAA_CALL agaaInitMeasurement(AgaaMeasurement* outMeasurement, size_t structSize);
 

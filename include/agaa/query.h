@@ -48,7 +48,8 @@ typedef struct AgaaDeviceCaps {
     uint32_t maxImageSize;    /* texels */
     uint64_t maxStorageRange; /* bytes of one storage buffer */
     uint32_t maxSharedBytes;  /* bytes of shared memory of a compute workgroup */
-    uint32_t reserved;        /* 0 */
+    uint32_t subgroupSize;    /* lanes of a full subgroup of compute shaders, a power of two in [1, 128]; 0: the device
+                                 lacks subgroup operations (basic, vote, ballot, shuffle) or full subgroups */
     uint64_t flags;           /* AGAA_DEVICE_… */
 } AgaaDeviceCaps;
 #define AGAA_DEVICE_CAPS_INIT                                                                                          \
@@ -91,8 +92,8 @@ AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t
  *
  * Errors         AGAA_ERROR_INVALID_ARGUMENT   count is null
  *                AGAA_ERROR_STRUCT             caps or an element is not initialised
- *                AGAA_ERROR_OUT_OF_RANGE       a reserved member of caps is not 0, a flag is unknown, or
- *                                              AgaaDeviceCaps::sampleCounts is of no device
+ *                AGAA_ERROR_OUT_OF_RANGE       a flag of caps is unknown, or AgaaDeviceCaps::sampleCounts or
+ *                                              ::subgroupSize is of no device
  *                AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short
  * Threads        Any. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,

@@ -22,6 +22,7 @@ constexpr const char* optionalExtensions[] = {
     "GL_ARB_clip_control",        // core in OpenGL 4.5; without it reversed depth loses precision
     "GL_ARB_fragment_shader_interlock",
     "GL_EXT_shader_framebuffer_fetch",
+    "GL_KHR_shader_subgroup",
 };
 
 GLint integer(const GladGLContext& gl, GLenum parameter) {
@@ -56,6 +57,18 @@ uint32_t sampleCounts(const GladGLContext& gl, Format format) {
     return bits;
 }
 
+// Returns AgaaDeviceCaps::subgroupSize. OpenGL cannot require full subgroups. Those of NVIDIA are always full, because
+// workgroups have a multiple of their lanes. Other vendors may compile a shader for fewer lanes than they report.
+uint32_t fullSubgroupSize(const GladGLContext& gl) {
+    if (!gl.KHR_shader_subgroup || !textOf(gl, GL_VENDOR).starts_with("NVIDIA"))
+        return 0;
+    constexpr GLint operations = GL_SUBGROUP_FEATURE_BASIC_BIT_KHR | GL_SUBGROUP_FEATURE_VOTE_BIT_KHR |
+                                 GL_SUBGROUP_FEATURE_BALLOT_BIT_KHR | GL_SUBGROUP_FEATURE_SHUFFLE_BIT_KHR;
+    const bool has = integer(gl, GL_SUBGROUP_SUPPORTED_STAGES_KHR) & GL_COMPUTE_SHADER_BIT &&
+                     (integer(gl, GL_SUBGROUP_SUPPORTED_FEATURES_KHR) & operations) == operations;
+    return has ? uint32_t(integer(gl, GL_SUBGROUP_SIZE_KHR)) : 0;
+}
+
 } // namespace
 
 AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
@@ -72,6 +85,7 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &range);
     caps.maxStorageRange = uint64_t(std::max<GLint64>(range, 0));
     caps.maxSharedBytes = uint32_t(integer(gl, GL_MAX_COMPUTE_SHARED_MEMORY_SIZE));
+    caps.subgroupSize = fullSubgroupSize(gl);
     // Software rasterisers of Mesa.
     for (const char* software : {"llvmpipe", "softpipe"})
         if (std::strstr(caps.deviceName, software))

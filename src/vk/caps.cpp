@@ -19,12 +19,18 @@ constexpr const char* requiredFeatures[] = {
     "shaderStorageImageExtendedFormats",
     "shaderStorageImageWriteWithoutFormat",
 };
-constexpr const char* optionalFeatures[] = {"dynamicRendering", "geometryShader", "conditionalRendering",
-                                            "fragmentShaderPixelInterlock", "rasterizationOrderColorAttachmentAccess"};
-constexpr const char* optionalExtensions[] = {
-    VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME, VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
-    VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME, VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME,
-    VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME};
+constexpr const char* optionalFeatures[] = {"dynamicRendering",
+                                            "geometryShader",
+                                            "conditionalRendering",
+                                            "fragmentShaderPixelInterlock",
+                                            "rasterizationOrderColorAttachmentAccess",
+                                            "computeFullSubgroups"};
+constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
+                                              VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
+                                              VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME,
+                                              VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME,
+                                              VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME,
+                                              VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME};
 
 std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk, VkPhysicalDevice device) {
     uint32_t count = 0;
@@ -90,6 +96,23 @@ bool ordersColorAccess(const InstanceTable& vk, VkPhysicalDevice device, const V
            limits.maxFragmentCombinedOutputResources >= withCounters;
 }
 
+// Returns AgaaDeviceCaps::subgroupSize. The device must have Vulkan 1.3 or the extension.
+uint32_t fullSubgroupSize(const InstanceTable& vk, VkPhysicalDevice device) {
+    VkPhysicalDeviceSubgroupProperties subgroup{};
+    subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &subgroup, {}};
+    vk.GetPhysicalDeviceProperties2(device, &properties);
+    VkPhysicalDeviceSubgroupSizeControlFeatures control{};
+    control.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_FEATURES;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &control, {}};
+    vk.GetPhysicalDeviceFeatures2(device, &features);
+    constexpr VkSubgroupFeatureFlags operations = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT |
+                                                  VK_SUBGROUP_FEATURE_BALLOT_BIT | VK_SUBGROUP_FEATURE_SHUFFLE_BIT;
+    const bool has = control.computeFullSubgroups && subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT &&
+                     (subgroup.supportedOperations & operations) == operations;
+    return has ? subgroup.subgroupSize : 0;
+}
+
 bool rendersAndSamples(const InstanceTable& vk, VkPhysicalDevice device, VkFormat format) {
     VkFormatProperties properties{};
     vk.GetPhysicalDeviceFormatProperties(device, format, &properties);
@@ -127,8 +150,10 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     set(rendersAndSamples(vk, device, VK_FORMAT_D24_UNORM_S8_UINT), AGAA_DEVICE_D24S8);
     set(rendersAndSamples(vk, device, VK_FORMAT_D32_SFLOAT_S8_UINT), AGAA_DEVICE_D32S8);
     set(properties.properties.apiVersion >= VK_API_VERSION_1_3, AGAA_DEVICE_DYNAMIC_RENDERING);
+    bool controlsSubgroups = properties.properties.apiVersion >= VK_API_VERSION_1_3;
     for (const VkExtensionProperties& extension : deviceExtensions(vk, device)) {
         const std::string_view name = extension.extensionName;
+        controlsSubgroups |= name == VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME;
         set(name == VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME, AGAA_DEVICE_POST_DEPTH_COVERAGE);
         set(name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, AGAA_DEVICE_DYNAMIC_RENDERING);
         set(name == VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME && rendersConditionally(vk, device),
@@ -139,6 +164,8 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
                 ordersColorAccess(vk, device, limits),
             AGAA_DEVICE_FRAMEBUFFER_FETCH);
     }
+    if (controlsSubgroups)
+        caps.subgroupSize = fullSubgroupSize(vk, device);
     VkSampleCountFlags counts = usableSamples(vk, device, limits, VK_FORMAT_D32_SFLOAT);
     for (VkFormat depth : {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT})
         if (rendersAndSamples(vk, device, depth))

@@ -27,6 +27,9 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
         caps.flags &= ~AGAA_DEVICE_CONDITIONAL_RENDERING;
     if (!enabled(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME) || !desc.enabledFeatures)
         caps.flags &= ~AGAA_DEVICE_FRAMEBUFFER_FETCH;
+    if ((apiVersion < VK_API_VERSION_1_3 && !enabled(VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME)) ||
+        !desc.enabledFeatures)
+        caps.subgroupSize = 0;
     if (!desc.enabledFeatures)
         return;
     const auto* core = static_cast<const VkPhysicalDeviceFeatures2*>(desc.enabledFeatures);
@@ -38,13 +41,20 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
     keep(f.geometryShader, AGAA_DEVICE_GEOMETRY_SHADERS);
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat, AGAA_DEVICE_STORAGE_FORMATS);
-    VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE, interlock = VK_FALSE, colorOrder = VK_FALSE;
+    VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE, interlock = VK_FALSE, colorOrder = VK_FALSE,
+             fullSubgroups = VK_FALSE;
     for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next; next = next->pNext) {
-        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES)
-            dynamicRendering |= reinterpret_cast<const VkPhysicalDeviceVulkan13Features*>(next)->dynamicRendering;
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES) {
+            const auto* features = reinterpret_cast<const VkPhysicalDeviceVulkan13Features*>(next);
+            dynamicRendering |= features->dynamicRendering;
+            fullSubgroups |= features->computeFullSubgroups;
+        }
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES)
             dynamicRendering |=
                 reinterpret_cast<const VkPhysicalDeviceDynamicRenderingFeatures*>(next)->dynamicRendering;
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_FEATURES)
+            fullSubgroups |=
+                reinterpret_cast<const VkPhysicalDeviceSubgroupSizeControlFeatures*>(next)->computeFullSubgroups;
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT)
             conditionalRendering |=
                 reinterpret_cast<const VkPhysicalDeviceConditionalRenderingFeaturesEXT*>(next)->conditionalRendering;
@@ -59,6 +69,8 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
     keep(conditionalRendering, AGAA_DEVICE_CONDITIONAL_RENDERING);
     keep(interlock, AGAA_DEVICE_FRAGMENT_INTERLOCK);
     keep(colorOrder, AGAA_DEVICE_FRAMEBUFFER_FETCH);
+    if (!fullSubgroups)
+        caps.subgroupSize = 0;
 }
 
 static VkSampler createSampler(const Context& context, VkFilter filter, bool compare) {

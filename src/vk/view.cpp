@@ -158,6 +158,8 @@ Compiled View::compile(const Pass& pass, size_t index) {
     info.stage.module = module;
     info.stage.pName = "main";
     info.stage.pSpecializationInfo = &constants;
+    if (pass.compute().fullSubgroups) // without the flag a subgroup may have fewer lanes than the device reports
+        info.stage.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
     info.layout = passes[index].pipelineLayout;
     VkPipeline pipeline = VK_NULL_HANDLE;
     const VkResult result =

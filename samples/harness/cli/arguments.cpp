@@ -178,6 +178,11 @@ Configuration::Configuration(const PlanArguments& arguments) {
         {{"none", AGAA_NDF_NONE}, {"toksvig", AGAA_NDF_TOKSVIG}, {"lean", AGAA_NDF_LEAN}, {"sggx", AGAA_NDF_SGGX}});
     config.measurement.seeds = choice(arguments.seeds, "--seeds",
                                       {{"maximin", AGAA_SEEDS_MAXIMIN}, {"sum-of-squares", AGAA_SEEDS_SUM_OF_SQUARES}});
+    config.measurement.lanes = choice(arguments.lanes, "--lanes",
+                                      {{"auto", AGAA_LANES_AUTO},
+                                       {"pixel", AGAA_LANES_PIXEL},
+                                       {"shared", AGAA_LANES_SAMPLE_SHARED},
+                                       {"subgroup", AGAA_LANES_SAMPLE_SUBGROUP}});
     config.aggregation.characteristicLength = finite(arguments.k, "--k");
     if (arguments.kPerDistance)
         config.aggregation.characteristicLengthPerDistance = finite(*arguments.kPerDistance, "--k-per-distance");

@@ -37,6 +37,7 @@ struct PlanArguments {
     std::string brdf = "ggx";
     std::string ndf = "toksvig";
     std::string seeds = "maximin";
+    std::string lanes = "auto";
     double k = 0;
     std::optional<double> kPerDistance;
     std::optional<double> threshold;

@@ -22,6 +22,7 @@ std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
     caps.sampleCounts = 0b101;
     caps.maxImageSize = 16384;
     caps.maxStorageRange = uint64_t(128) << 20;
+    caps.subgroupSize = 32;
     caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |
                  AGAA_DEVICE_DYNAMIC_RENDERING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8 |
                  (device.noGeometryShaders ? 0 : AGAA_DEVICE_GEOMETRY_SHADERS);

@@ -86,9 +86,9 @@ std::string viewKey(const AgaaViewDesc& desc) {
     key.add(desc.flags);
     key.add(config.technique);
     for (const uint32_t value :
-         {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds, config.shadowTaps,
-          config.visibilityTier, config.generationTier, measurement.shadingCost, aggregation.litShadows,
-          measurement.debugView, coverage.merge, coverage.maxBatches, coverage.tableSize})
+         {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds, measurement.lanes,
+          config.shadowTaps, config.visibilityTier, config.generationTier, measurement.shadingCost,
+          aggregation.litShadows, measurement.debugView, coverage.merge, coverage.maxBatches, coverage.tableSize})
         key.add(value);
     for (const float value :
          {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance, aggregation.aggregateThreshold,

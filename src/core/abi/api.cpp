@@ -22,6 +22,7 @@
 #include "core/view/technique.h"
 #include "core/view/tiers.h"
 
+#include <bit>
 #include <cstring>
 
 using namespace agaa;
@@ -32,7 +33,9 @@ AgaaDeviceCaps capsOrIdeal(const AgaaDeviceCaps* caps) {
     if (!caps)
         return idealDevice();
     const AgaaDeviceCaps known = readStruct(caps);
-    checkReserved(known.reserved, "AgaaDeviceCaps::reserved");
+    if (known.subgroupSize != 0 && (known.subgroupSize > 128 || !std::has_single_bit(known.subgroupSize)))
+        fail(AGAA_ERROR_OUT_OF_RANGE,
+             format("AgaaDeviceCaps::subgroupSize is %u; it is 0 or a power of two up to 128.", known.subgroupSize));
     // No device has targets of more than 64 samples.
     if (known.sampleCounts > 0x7F)
         fail(AGAA_ERROR_OUT_OF_RANGE,

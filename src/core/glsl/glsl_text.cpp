@@ -18,8 +18,9 @@ static void appendLines(std::string& out, std::string_view text, const std::stri
     while (begin < text.size()) {
         const size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view line = text.substr(begin, end - begin);
-        if (line.starts_with("#extension GL_GOOGLE_include_directive")) {
-            // The file was included before.
+        if (line.starts_with("#extension GL_GOOGLE_include_directive") ||
+            line.starts_with("#extension GL_KHR_shader_subgroup")) {
+            // The text needs no extension for includes. Those for subgroups precede all other text.
         } else if (line == "#include \"host-code\"") {
             // Messages about the host's text count its lines. Lines of the library after it count from 100000.
             out += hostCode + "#line 100000\n";
@@ -83,6 +84,12 @@ std::string coverageGlsl() {
     return out;
 }
 
+// The extensions of src/shaders/common/subgroup_extensions.glsl.
+static constexpr const char* subgroupExtensions = "#extension GL_KHR_shader_subgroup_basic : require\n"
+                                                  "#extension GL_KHR_shader_subgroup_vote : require\n"
+                                                  "#extension GL_KHR_shader_subgroup_ballot : require\n"
+                                                  "#extension GL_KHR_shader_subgroup_shuffle : require\n";
+
 static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,
                             const std::string& head) {
     if (expressionDepth(pass.compute().hostCode) > maxExpressionDepth)
@@ -98,7 +105,8 @@ static std::string assemble(const Pass& pass, std::set<std::string> seen, const 
     const size_t at = text.find(line);
     if (at == std::string::npos)
         fail(AGAA_ERROR_INTERNAL, "the pass " + pass.name + " has no version.");
-    return text.replace(at, line.size(), version + pass.compute().hostCodeExtensions + head);
+    const std::string extensions = pass.compute().fullSubgroups ? subgroupExtensions : "";
+    return text.replace(at, line.size(), version + extensions + pass.compute().hostCodeExtensions + head);
 }
 
 std::string passGlsl(const Pass& pass) { return assemble(pass, {}, "#version 450\n", pass.compute().defines); }

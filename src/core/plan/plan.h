@@ -171,6 +171,7 @@ struct ComputePart {
     std::string shader;            // permutation in the library
     std::string file;              // of the shader, below src/shaders
     std::string defines;           // of the permutation
+    bool fullSubgroups = false;    // all subgroups of a workgroup have AgaaDeviceCaps::subgroupSize lanes
     std::string text;              // GLSL in place of the library's shader; it is compiled with the view
     // GLSL of the host. If it is not empty, the pass is compiled with it.
     std::string hostCode;

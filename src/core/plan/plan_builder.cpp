@@ -5,6 +5,7 @@
 #include "core/plan/access.h"
 #include "core/plan/gpu_layout.h"
 #include "core/view/custom_glsl.h"
+#include "core/view/lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -147,6 +148,10 @@ bool PlanBuilder::isSwitchedOn(Switch which) const {
         return plan.view.readsGBuffer();
     case Switch::Lit:
         return variantLitShadows() != 0;
+    case Switch::SampleLanes:
+        return hasSampleLanes(plan.view.lanes);
+    case Switch::Subgroups:
+        return plan.view.lanes == AGAA_LANES_SAMPLE_SUBGROUP;
     case Switch::Classified:
     case Switch::Represented:
     case Switch::InTargets:
@@ -169,6 +174,7 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
         program.shader += switchLetter(which);
         program.shader += isOn ? '1' : '0';
         program.defines += format("#define %s %d\n", switchMacro(which), isOn);
+        program.fullSubgroups |= which == Switch::Subgroups && isOn;
     }
     pass.segment = segment;
     pass.constants = constants_;
@@ -283,7 +289,8 @@ uint32_t PlanBuilder::listLength() const {
         material = alignUp(material, channels == 1 ? 4 : channels == 2 ? 8 : 16) + 4 * channels;
     }
     const auto listed = uint32_t(28 + alignUp(material, 16));
-    const uint32_t maxListed = (std::max(caps_.maxSharedBytes, otherBytes) - otherBytes) / listed;
+    const uint32_t unlisted = otherBytes + laneBytes(plan.view.lanes, plan.view.samples);
+    const uint32_t maxListed = (std::max(caps_.maxSharedBytes, unlisted) - unlisted) / listed;
     return std::clamp(maxListed / 32 * 32, 32u, caps_.flags & AGAA_DEVICE_SOFTWARE ? 256u : 64u);
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/names.h"
 #include "core/plan/access.h"
 #include "core/plan/plan.h"
+#include "core/view/lanes.h"
 
 #include <charconv>
 #include <cstdio>
@@ -190,6 +191,8 @@ std::string planToJson(const Plan& plan) {
     if (plan.view.generationTier != AGAA_TIER_AUTO)
         w.field("generation", tierName(plan.view.generationTier));
     w.close('}');
+    if (plan.view.lanes != AGAA_LANES_AUTO)
+        w.field("lanes", lanesName(plan.view.lanes));
     w.field("runnable", plan.runnable);
     w.strings("notes", plan.notes);
     w.strings("effects", plan.effects);

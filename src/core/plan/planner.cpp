@@ -11,6 +11,7 @@ AgaaDeviceCaps idealDevice() {
     caps.maxImageSize = 1u << 20;
     caps.maxStorageRange = UINT64_C(1) << 48;
     caps.maxSharedBytes = 49152;
+    caps.subgroupSize = 32;
     caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |
                  AGAA_DEVICE_DYNAMIC_RENDERING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES |
                  AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8 | AGAA_DEVICE_GEOMETRY_SHADERS | AGAA_DEVICE_FRAGMENT_INTERLOCK |

@@ -3,6 +3,7 @@
 #include "core/base/checked.h"
 #include "core/base/error.h"
 #include "core/base/names.h"
+#include "core/view/lanes.h"
 #include "core/view/tiers.h"
 
 #include <algorithm>
@@ -115,6 +116,18 @@ void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, Techni
     view.notes.push_back("generation: " + choice.reason);
 }
 
+void chooseViewLanes(ResolvedView& view, const AgaaDeviceCaps& caps) {
+    const Technique& technique = *view.technique;
+    if (!technique.maxAggregates || view.isModel() ||
+        technique.countsCoverage(view.config.generationTier, view.samples))
+        return;
+    const LaneChoice choice = chooseLanes(caps, view.samples, view.measurement.lanes);
+    if (choice.lanes == AGAA_LANES_AUTO)
+        fail(AGAA_ERROR_UNSUPPORTED, "AgaaMeasurement::lanes cannot run: " + choice.reason);
+    view.lanes = choice.lanes;
+    view.notes.push_back("lanes: " + choice.reason);
+}
+
 void checkTierOptions(const ResolvedView& view, const Technique& technique) {
     const AgaaConfig& config = view.config;
     const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
@@ -158,6 +171,7 @@ ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps
     checkFacts(view, technique);
     chooseVisibilityTier(view, technique, caps);
     chooseGenerationTier(view, caps, table);
+    chooseViewLanes(view, caps);
     checkTierOptions(view, technique);
     require(!view.hasCounters() || caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");

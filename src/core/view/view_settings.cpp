@@ -22,7 +22,7 @@ static void readMeasurement(const AgaaConfig& config, ViewSettings& view) {
     checkRange(uint64_t(m.shadingCost), 1, 64, "AgaaMeasurement::shadingCost");
     checkRange(uint64_t(m.debugView), 0, AGAA_DEBUG_VIEW_FACTS, "AgaaMeasurement::debugView");
     checkRange(uint64_t(m.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaMeasurement::seeds");
-    checkReserved(m.reserved, "AgaaMeasurement::reserved");
+    checkRange(uint64_t(m.lanes), 0, AGAA_LANES_SAMPLE_SUBGROUP, "AgaaMeasurement::lanes");
     checkFlags(m.flags,
                AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
                    AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING,

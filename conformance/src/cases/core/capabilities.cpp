@@ -106,12 +106,12 @@ void testStruct(Test& test) {
 }
 
 void testRange(Test& test) {
-    for (const uint32_t reserved : {0x7FFFFFFFu, 0xFFFFFFFFu}) {
+    for (const uint32_t lanes : {3u, 48u, 256u, 0x7FFFFFFFu, 0xFFFFFFFFu}) {
         AgaaDeviceCaps caps = capsOfDevices(test)[0];
-        caps.reserved = reserved;
+        caps.subgroupSize = lanes;
         uint32_t count = 77;
         test.result(test.sdk.agaaQueryCapabilities(&caps, &count, nullptr), AGAA_ERROR_OUT_OF_RANGE,
-                    "agaaQueryCapabilities with AgaaDeviceCaps::reserved = " + std::to_string(reserved));
+                    "agaaQueryCapabilities with AgaaDeviceCaps::subgroupSize = " + std::to_string(lanes));
         test.check(count == 77, "agaaQueryCapabilities fails and changes count.");
     }
 }

@@ -309,13 +309,14 @@ void addMeasurement(Suite& suite) {
                       largeNumbers({}),
                       nullptr,
                       {AGAA_SEEDS_SUM_OF_SQUARES + 1}});
-    addMember(suite, {"AgaaMeasurement.reserved/zero",
-                      "AgaaMeasurement::reserved",
-                      [](ViewParts& p, double x) { p.measurement.reserved = whole(x); },
-                      {0},
+    // Other values need capabilities of the device.
+    addMember(suite, {"AgaaMeasurement.lanes/enum",
+                      "AgaaMeasurement::lanes",
+                      [](ViewParts& p, double x) { p.measurement.lanes = whole(x); },
+                      {AGAA_LANES_AUTO, AGAA_LANES_PIXEL},
                       largeNumbers({}),
                       nullptr,
-                      {1}});
+                      {AGAA_LANES_SAMPLE_SUBGROUP + 1}});
     addFlags(suite, {"AgaaMeasurement.flags/flags", "AgaaMeasurement::flags",
                      [](ViewParts& p, uint64_t flags) { p.measurement.flags = flags; },
                      AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |

@@ -55,13 +55,13 @@ void addFactsAndView(Suite& suite) {
 }
 
 void addCaps(Suite& suite) {
-    addMember(suite, {"AgaaDeviceCaps.reserved/zero",
-                      "AgaaDeviceCaps::reserved",
-                      [](ViewParts& p, double x) { p.caps.reserved = whole(x); },
-                      {0},
-                      largeNumbers({}),
+    addMember(suite, {"AgaaDeviceCaps.subgroupSize/range",
+                      "AgaaDeviceCaps::subgroupSize",
+                      [](ViewParts& p, double x) { p.caps.subgroupSize = whole(x); },
+                      {0, 1, 8, 32, 64, 128},
+                      largeNumbers({3, 48, 129, 256}),
                       nullptr,
-                      {1}});
+                      {}});
     addFlags(suite,
              {"AgaaDeviceCaps.flags/flags", "AgaaDeviceCaps::flags",
               [](ViewParts& p, uint64_t flags) { p.caps.flags = flags; },

@@ -32,7 +32,8 @@ void checkCaps(Test& test, const AgaaDeviceCaps& caps, const std::string& functi
     test.check(caps.sampleCounts & 1, function + ": sampleCounts lacks one sample.");
     test.check(caps.maxImageSize >= 4096 && caps.maxStorageRange >= 1u << 20 && caps.maxSharedBytes >= 16384,
                function + ": a limit is lower than those that the graphics API guarantees.");
-    test.check(caps.reserved == 0, function + ": the reserved member is not 0.");
+    test.check(caps.subgroupSize <= 128 && (caps.subgroupSize & (caps.subgroupSize - 1)) == 0,
+               function + ": subgroupSize is no power of two up to 128.");
     test.check(caps.flags & AGAA_DEVICE_STORAGE_FORMATS, function + ": the flag STORAGE_FORMATS is missing.");
     // The queries accept the result of the function.
     ViewParts parts(test.sdk, &test.device());
@@ -69,6 +70,8 @@ void testContextCaps(Test& test) {
     test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), function);
     checkCaps(test, caps, function);
     test.check(!(caps.flags & ~deviceCaps.flags), function + ": the context has flags that the device lacks.");
+    test.check(caps.subgroupSize == 0 || caps.subgroupSize == deviceCaps.subgroupSize,
+               function + ": the context has other subgroups than the device.");
     test.check(!std::strcmp(caps.deviceName, deviceCaps.deviceName), function + ": another device is named.");
 }
 

@@ -1,0 +1,126 @@
+// The choice of the lanes of passes that group the samples of pixels.
+#include "plan_support.h"
+
+#include "core/base/embedded.h"
+#include "core/base/error.h"
+#include "core/plan/permutations.h"
+#include "core/view/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace agaa;
+using namespace agaa::test;
+
+namespace {
+
+AgaaDeviceCaps deviceWith(uint32_t subgroupSize, uint32_t sharedBytes = 49152, uint64_t flags = 0) {
+    AgaaDeviceCaps caps = idealDevice();
+    caps.subgroupSize = subgroupSize;
+    caps.maxSharedBytes = sharedBytes;
+    caps.flags |= flags;
+    return caps;
+}
+
+ViewSpec specWith(uint32_t samples, AgaaLanes lanes, AgaaTier tier = AGAA_TIER_GBUFFER) {
+    ViewSpec spec;
+    spec.samples = samples;
+    spec.generationTier = tier;
+    spec.change = [=](TechniqueConfig& config) { config.measurement.lanes = lanes; };
+    return spec;
+}
+
+std::string noteOf(const Plan& plan) {
+    const auto note = std::ranges::find_if(plan.notes, [](const std::string& n) { return n.starts_with("lanes: "); });
+    return note == plan.notes.end() ? "" : *note;
+}
+
+std::string messageOf(const ViewSpec& spec, const AgaaDeviceCaps& caps, AgaaResult result) {
+    try {
+        planFor(spec, caps);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, result) << error.message;
+        return error.message;
+    }
+    ADD_FAILURE() << "the plan succeeds";
+    return "";
+}
+
+TEST(Lanes, AutoTakesTheFastestThatTheDeviceRuns) {
+    struct Row {
+        AgaaDeviceCaps caps;
+        uint32_t samples;
+        AgaaLanes lanes;
+        const char* words; // of the note
+    };
+    const Row rows[] = {
+        {deviceWith(32), 32, AGAA_LANES_SAMPLE_SUBGROUP, "in subgroups of 32."},
+        {deviceWith(8), 8, AGAA_LANES_SAMPLE_SUBGROUP, "in subgroups of 8."},
+        {deviceWith(64), 2, AGAA_LANES_SAMPLE_SUBGROUP, "in subgroups of 64."},
+        {deviceWith(8), 16, AGAA_LANES_SAMPLE_SHARED, "subgroups of the device have 8 lanes, and 16 to 64 are needed"},
+        {deviceWith(128), 8, AGAA_LANES_SAMPLE_SHARED, "subgroups of the device have 128 lanes"},
+        {deviceWith(0), 8, AGAA_LANES_SAMPLE_SHARED, "no subgroup operations, or no full subgroups"},
+        {deviceWith(0, 16384), 8, AGAA_LANES_SAMPLE_SHARED, "with shared memory"},
+        {deviceWith(32, 16384), 32, AGAA_LANES_PIXEL, "16384 bytes of shared memory"},
+        {deviceWith(32), 1, AGAA_LANES_PIXEL, "one sample"},
+        {deviceWith(32, 49152, AGAA_DEVICE_SOFTWARE), 8, AGAA_LANES_PIXEL, "software"},
+    };
+    for (const Row& row : rows) {
+        const Plan plan = planFor(specWith(row.samples, AGAA_LANES_AUTO), row.caps);
+        EXPECT_EQ(plan.view.lanes, row.lanes) << noteOf(plan);
+        EXPECT_NE(noteOf(plan).find(row.words), std::string::npos) << noteOf(plan);
+        EXPECT_TRUE(noteOf(plan).ends_with('.')) << noteOf(plan);
+        EXPECT_NE(planToJson(plan).find(format("\"lanes\":\"%s\"", lanesName(row.lanes))), std::string::npos);
+    }
+}
+
+TEST(Lanes, AForcedChoiceRunsOrFails) {
+    for (const AgaaLanes lanes : {AGAA_LANES_PIXEL, AGAA_LANES_SAMPLE_SHARED, AGAA_LANES_SAMPLE_SUBGROUP}) {
+        const Plan plan = planFor(specWith(8, lanes), deviceWith(8, 49152, AGAA_DEVICE_SOFTWARE));
+        EXPECT_EQ(plan.view.lanes, lanes);
+        EXPECT_NE(noteOf(plan).find("AgaaMeasurement::lanes"), std::string::npos) << noteOf(plan);
+    }
+    const auto refused = [](uint32_t samples, AgaaLanes lanes, const AgaaDeviceCaps& caps, const char* words) {
+        const std::string message = messageOf(specWith(samples, lanes), caps, AGAA_ERROR_UNSUPPORTED);
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+    };
+    refused(8, AGAA_LANES_SAMPLE_SUBGROUP, deviceWith(0), "no full subgroups.");
+    refused(32, AGAA_LANES_SAMPLE_SUBGROUP, deviceWith(16), "16 lanes");
+    refused(32, AGAA_LANES_SAMPLE_SUBGROUP, deviceWith(32, 16384), "16384 bytes");
+    refused(32, AGAA_LANES_SAMPLE_SHARED, deviceWith(32, 16384), "16384 bytes");
+    const std::string message =
+        messageOf(specWith(8, AgaaLanes(AGAA_LANES_SAMPLE_SUBGROUP + 1)), deviceWith(32), AGAA_ERROR_OUT_OF_RANGE);
+    EXPECT_NE(message.find("AgaaMeasurement::lanes"), std::string::npos) << message;
+}
+
+TEST(Lanes, OtherTechniquesDoNotUseTheSetting) {
+    for (const char* technique : {"ssaa", "adaptive", "dcaa", "fxaa"}) {
+        ViewSpec spec = specWith(AGAA_LANES_AUTO, AGAA_LANES_SAMPLE_SUBGROUP, AGAA_TIER_AUTO);
+        spec.technique = technique;
+        spec.samples = std::string_view(technique) == "dcaa" ? 64 : 4;
+        const Plan plan = planFor(spec, deviceWith(0));
+        EXPECT_EQ(plan.view.lanes, AGAA_LANES_AUTO) << technique;
+        EXPECT_EQ(noteOf(plan), "") << technique;
+        EXPECT_EQ(planToJson(plan).find("\"lanes\""), std::string::npos) << technique;
+    }
+}
+
+TEST(Lanes, WordsOfLanesTakeRoomFromTheList) {
+    AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+    function.glsl = "";
+    function.maxDraws = function.maxPrimitives = 1024;
+    const auto lengthWith = [&](uint32_t samples, AgaaLanes lanes) {
+        ViewSpec spec = specWith(samples, lanes, AGAA_TIER_IDS);
+        spec.chained = &function;
+        const Plan plan = planFor(spec, deviceWith(32, 32768, AGAA_DEVICE_SOFTWARE));
+        const std::string& defines = plan.passes.back().compute().defines;
+        return std::stoul(defines.substr(defines.find("AGAA_LIST_LENGTH ") + 17));
+    };
+    EXPECT_EQ(lengthWith(32, AGAA_LANES_PIXEL), 192u);
+    EXPECT_EQ(lengthWith(8, AGAA_LANES_SAMPLE_SUBGROUP), 160u) << "9 words a lane";
+    EXPECT_EQ(lengthWith(8, AGAA_LANES_SAMPLE_SHARED), 160u) << "12 words a lane";
+    EXPECT_EQ(lengthWith(32, AGAA_LANES_SAMPLE_SHARED), 128u) << "32 words a lane";
+}
+
+} // namespace
