@@ -19,9 +19,13 @@ struct agaa_PixelSamples {
 };
 
 // Scales a normal for the clustering, so that differences of glossy surfaces weigh more: w = weight / alpha, [1, 20].
-void agaa_weighNormal(uint i, vec3 shadingNormal, float alpha2) {
+vec3 agaa_weighedNormal(vec3 shadingNormal, float alpha2) {
     float w = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) * inversesqrt(max(alpha2, agaa_minAlpha2())), 1.0, 20.0);
-    agaa_sampleNormal[i] = sqrt(w) * shadingNormal;
+    return sqrt(w) * shadingNormal;
+}
+
+void agaa_weighNormal(uint i, vec3 shadingNormal, float alpha2) {
+    agaa_sampleNormal[i] = agaa_weighedNormal(shadingNormal, alpha2);
 }
 
 agaa_PixelSamples agaa_noSamples() { return agaa_PixelSamples(0u, 3.0e38, 3.0e38); }
@@ -32,6 +36,21 @@ agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
     return samples;
 }
 
+// Returns the length of one step of the depth buffer at a sample.
+// quantum   Step of the stored depth.
+float agaa_depthStepAt(vec3 position, float depth, float quantum) {
+    return agaa_depthQuantum(position.z, depth, agaa_frame.projection22, agaa_frame.projection32,
+                             agaa_isOrthographic(), quantum);
+}
+
+// Returns the second key of a sample's content.
+// offset   Position in the pixel, [0, 1].
+// code     Equal for equal normals.
+uint agaa_contentKey(vec2 offset, uint code) {
+    uvec2 key = uvec2(offset * 128.0);
+    return code << 16 | key.x << 8 | key.y;
+}
+
 // Adds sample i, which has geometry.
 // quantum   Step of its stored depth.
 // offset    Position in the pixel, [0, 1].
@@ -39,10 +58,8 @@ agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
 void agaa_addSampleAt(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 offset,
                       vec3 normal, uint code) {
     samples.covered |= 1u << (i & 31u);
-    float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection22, agaa_frame.projection32,
-                                        agaa_isOrthographic(), quantum);
-    uvec2 key = uvec2(offset * 128.0);
-    agaa_setSample(i, position, normal, depthStep, floatBitsToUint(depth), code << 16 | key.x << 8 | key.y);
+    agaa_setSample(i, position, normal, agaa_depthStepAt(position, depth, quantum), floatBitsToUint(depth),
+                   agaa_contentKey(offset, code));
     samples.nearest = min(samples.nearest, dot(position, position));
     samples.nearestZ = min(samples.nearestZ, abs(position.z));
 }

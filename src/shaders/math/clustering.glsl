@@ -209,47 +209,90 @@ uint agaa_literalCandidate(uint n, uint covered, uint seeds, agaa_Lengths length
     return best.content.sample_;
 }
 
-// Returns seed 0, the sample farthest from the average. Sums of floats depend on their order; sums of offsets from the
-// lower corner of the bounding box, as integer multiples of 2^-20 of its size, do not.
+// Sums of floats depend on their order. Sums of integers do not: positions are multiples of 2^-20 of the bounding box,
+// from its lower corner, and normals are multiples of 2^-20.
+real agaa_seedSteps() {
+    return real(1048576.0);
+}
+
+// Returns the largest magnitude of a normal's components, where gloss weighs them.
+real agaa_longestNormal() {
+    return real(8.0);
+}
+
+// extent   Of the bounding box in its longest direction.
+real agaa_seedExtent(real extent) {
+    return clamp(extent, real(1e-30), real(1e30));
+}
+
+// offset   From the lower corner of the bounding box.
+uvec3 agaa_positionSteps(rvec3 offset, real extent) {
+    const real steps = agaa_seedSteps();
+    const real scale = steps / agaa_seedExtent(extent);
+    return uvec3(uint(clamp(offset.x * scale, real(0.0), steps) + real(0.5)),
+                 uint(clamp(offset.y * scale, real(0.0), steps) + real(0.5)),
+                 uint(clamp(offset.z * scale, real(0.0), steps) + real(0.5)));
+}
+
+uvec3 agaa_normalSteps(rvec3 normal) {
+    const real steps = agaa_seedSteps();
+    const real longest = agaa_longestNormal();
+    return uvec3(uint((clamp(normal.x, -longest, longest) + longest) * steps + real(0.5)),
+                 uint((clamp(normal.y, -longest, longest) + longest) * steps + real(0.5)),
+                 uint((clamp(normal.z, -longest, longest) + longest) * steps + real(0.5)));
+}
+
+// The average of a pixel's samples. The position is relative to the lower corner of the bounding box. The mean normal
+// is not normalised. Its distance is then the mean of the distances to all normals up to a constant, and cancelling
+// normals need no substitute direction.
+struct agaa_SampleMean {
+    rvec3 position;
+    rvec3 normal;
+};
+
+// positions, normals   Sums of agaa_positionSteps() and of agaa_normalSteps() over all samples.
+agaa_SampleMean agaa_meanOfSteps(uvec3 positions, uvec3 normals, uint count, real extent) {
+    const real longest = agaa_longestNormal();
+    const real inverse = real(1.0) / (agaa_seedSteps() * real(max(count, 1u)));
+    agaa_SampleMean mean;
+    mean.position = rvec3(real(positions.x), real(positions.y), real(positions.z)) *
+                    (inverse * agaa_seedExtent(extent));
+    mean.normal = rvec3(real(normals.x) * inverse - longest, real(normals.y) * inverse - longest,
+                        real(normals.z) * inverse - longest);
+    return mean;
+}
+
+// Returns seed 0, the sample farthest from the average.
 uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real inverseK2) {
-    const real steps = real(1048576.0);
-    const real longest = real(8.0); // of a normal's components, where gloss weighs them
-    const real size = clamp(extent, real(1e-30), real(1e30));
-    const real scale = steps / size;
     uint count = 0u;
-    uvec3 sumP = uvec3(0u, 0u, 0u);
-    uvec3 sumN = uvec3(0u, 0u, 0u);
+    uvec3 positions = uvec3(0u, 0u, 0u);
+    uvec3 normals = uvec3(0u, 0u, 0u);
     uint i = 0u;
     do {
         if (agaa_sampleIsCovered(covered, i)) {
-            const rvec3 p = agaa_samplePosition[i] - lowest;
-            const rvec3 m = agaa_sampleNormal[i];
-            sumP.x += uint(clamp(p.x * scale, real(0.0), steps) + real(0.5));
-            sumP.y += uint(clamp(p.y * scale, real(0.0), steps) + real(0.5));
-            sumP.z += uint(clamp(p.z * scale, real(0.0), steps) + real(0.5));
-            sumN.x += uint((clamp(m.x, -longest, longest) + longest) * steps + real(0.5));
-            sumN.y += uint((clamp(m.y, -longest, longest) + longest) * steps + real(0.5));
-            sumN.z += uint((clamp(m.z, -longest, longest) + longest) * steps + real(0.5));
+            positions += agaa_positionSteps(agaa_samplePosition[i] - lowest, extent);
+            normals += agaa_normalSteps(agaa_sampleNormal[i]);
             count += 1u;
         }
     } while (++i < n);
-    const real inverse = real(1.0) / (steps * real(max(count, 1u)));
-    const rvec3 meanP = rvec3(real(sumP.x), real(sumP.y), real(sumP.z)) * (inverse * size);
-    // The mean normal is not normalised. Its distance is then the mean of the distances to all normals up to a
-    // constant, and cancelling normals need no substitute direction.
-    const rvec3 meanN =
-        rvec3(real(sumN.x) * inverse - longest, real(sumN.y) * inverse - longest,
-              real(sumN.z) * inverse - longest);
+    const agaa_SampleMean mean = agaa_meanOfSteps(positions, normals, count, extent);
     agaa_Farthest best = agaa_noneYet();
     i = 0u;
     do {
         if (agaa_sampleIsCovered(covered, i)) {
             agaa_compare(best, i,
-                         agaa_quantiseDistance(agaa_sampleDistance(agaa_samplePosition[i] - lowest, meanP,
-                                                                   agaa_sampleNormal[i], meanN, inverseK2)));
+                         agaa_quantiseDistance(agaa_sampleDistance(agaa_samplePosition[i] - lowest, mean.position,
+                                                                   agaa_sampleNormal[i], mean.normal, inverseK2)));
         }
     } while (++i < n);
     return best.content.sample_;
+}
+
+// Returns whether the distances of all samples of a pixel may exceed the threshold. They never exceed that of the
+// corners of their bounding boxes, with the finest of their steps. The margin covers the rounding of the distances that
+// are not computed.
+bool agaa_mayExceed(real cornerDistance, uint threshold) {
+    return agaa_quantiseDistance(cornerDistance * real(1.00001)) > threshold;
 }
 
 // Partitions the covered samples into aggregates and returns their number. Writes ids in the order of the seeds to
@@ -290,11 +333,9 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
     if (any && limit > 1u) {
         const agaa_Lengths lengths = agaa_lengthsFor(k, t);
         const uint threshold = agaa_quantiseDistance(max(t, real(0.0)));
-        // Fast path: the distance of two samples never exceeds that of the corners of their bounding boxes, with the
-        // finest of their steps. The margin covers the rounding of the distances that are not computed.
         const real bound = agaa_sampleDistance(lowest, highest, lowestNormal, highestNormal,
                                                agaa_pairInverseK2(lengths, finest, finest));
-        if (agaa_quantiseDistance(bound * real(1.00001)) > threshold) {
+        if (agaa_mayExceed(bound, threshold)) {
             const rvec3 size = highest - lowest;
             const real extent = max(size.x, max(size.y, size.z));
             // All distances to the average use one length, that of the coarsest step.

@@ -35,13 +35,16 @@ agaa_Plane agaa_planeOf(uint i) {
     return plane;
 }
 
-// Returns whether sample i is on the plane. The depths of both samples may differ by a step.
+// Returns whether two samples are on each other's planes. The depths of both may differ by a step.
+bool agaa_areOnOnePlane(agaa_Plane a, agaa_Plane b, real cosine, real width) {
+    const rvec3 between = b.position - a.position;
+    const real farthest = width + a.depthStep + b.depthStep;
+    return dot(a.normal, b.normal) >= cosine && abs(dot(a.normal, between)) <= farthest &&
+           abs(dot(b.normal, between)) <= farthest;
+}
+
 bool agaa_isOnSurface(agaa_Plane plane, uint i, real cosine, real width) {
-    const rvec3 between = agaa_samplePosition[i] - plane.position;
-    const rvec3 normal = agaa_sampleNormal[i];
-    const real farthest = width + plane.depthStep + agaa_sampleStep[i];
-    return dot(plane.normal, normal) >= cosine && abs(dot(plane.normal, between)) <= farthest &&
-           abs(dot(normal, between)) <= farthest;
+    return agaa_areOnOnePlane(plane, agaa_planeOf(i), cosine, width);
 }
 
 // Returns whether all samples show one surface, that of the first sample by content.
