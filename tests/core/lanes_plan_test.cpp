@@ -106,6 +106,29 @@ TEST(Lanes, OtherTechniquesDoNotUseTheSetting) {
     }
 }
 
+// Executors read only ComputePart::fullSubgroups.
+TEST(Lanes, PassesAreCompiledForTheChoice) {
+    for (const AgaaLanes lanes : {AGAA_LANES_PIXEL, AGAA_LANES_SAMPLE_SHARED, AGAA_LANES_SAMPLE_SUBGROUP}) {
+        uint32_t passes = 0;
+        for (const AgaaTier tier : {AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_GBUFFER}) {
+            const Plan plan = planFor(specWith(8, lanes, tier), deviceWith(32));
+            for (const Pass& pass : plan.passes) {
+                if (pass.kind() != PassKind::Compute)
+                    continue;
+                const ComputePart& program = pass.compute();
+                const bool has = program.defines.find("AGAA_SAMPLE_LANES") != std::string::npos;
+                EXPECT_EQ(program.fullSubgroups, has && lanes == AGAA_LANES_SAMPLE_SUBGROUP) << pass.name;
+                EXPECT_EQ(has && hasSampleLanes(lanes),
+                          program.defines.find("#define AGAA_SAMPLE_LANES 1") != std::string::npos)
+                    << pass.name;
+                EXPECT_FALSE(embeddedSpirv(program.shader).empty()) << program.shader;
+                passes += has;
+            }
+        }
+        EXPECT_EQ(passes, 2u);
+    }
+}
+
 TEST(Lanes, WordsOfLanesTakeRoomFromTheList) {
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = "";

@@ -1,9 +1,19 @@
 // Aggregates the samples of a multisampled G-buffer and shades the aggregates at once. It writes only the image.
+// Samples are grouped with one lane per pixel or, with AGAA_SAMPLE_LANES, per sample.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define AGAA_MAX_SAMPLES AGAA_SAMPLES
+#include "common/subgroup_extensions.glsl"
 #define AGAA_FROM_GBUFFER 1
+#if AGAA_SAMPLE_LANES
+#define AGAA_MAX_SAMPLES 1
+#if AGAA_LIT
+#define AGAA_SAMPLE_WORDS AGAA_SAMPLES
+#endif
+layout(local_size_x = 64) in;
+#else
+#define AGAA_MAX_SAMPLES AGAA_SAMPLES
 layout(local_size_x = 8, local_size_y = 8) in;
+#endif
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
 #include "common/frame.glsl"
@@ -13,11 +23,58 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/output.glsl"
 #include "aggregate/aggregate_lighting.glsl"
 #include "aggregate/samples.glsl"
+#include "math/sbaa_surfaces.glsl"
+#if AGAA_SAMPLE_LANES
+#include "aggregate/lane_samples.glsl"
+#else
 #include "aggregate/grouping.glsl"
+#endif
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "common/tile.glsl"
 
 shared uint agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate
+
+// Counts a pixel and returns its work.
+// count   Number of the pixel's aggregates.
+agaa_PixelWork agaa_countedWork(uint count, uint samples) {
+    uint covered = uint(bitCount(samples));
+    agaa_count(AGAA_COUNT_VISIBLE, covered);
+    agaa_count(AGAA_COUNT_ONCE, covered);
+    agaa_countEvents(count);
+    agaa_count(AGAA_COUNT_AGGREGATES, count);
+    agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
+    return agaa_pixelWork((1u << count) - 1u, 0u, covered);
+}
+
+#if AGAA_SAMPLE_LANES
+shared uint agaa_aggregateCount[64]; // of each pixel
+shared uint agaa_coveredSamples[64];
+
+// Groups the samples of all pixels of the tile. All lanes must call it.
+void agaa_groupTile() {
+    for (uint iteration = 0u; iteration < agaa_pixelLanes; ++iteration) {
+        uint lane = agaa_lanePixel(iteration);
+        agaa_LaneSample s = agaa_loadLaneSample(agaa_pixelOf(lane));
+        agaa_LaneGroup group = agaa_groupLanes(s, false);
+        for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
+            uint mask = agaa_samplesOf(s, group, a);
+            if (agaa_laneSample() == 0u)
+                agaa_masks[lane * AGAA_AGGREGATES + a] = mask;
+        }
+        if (agaa_laneSample() == 0u) {
+            agaa_aggregateCount[lane] = group.count;
+            agaa_coveredSamples[lane] = group.covered;
+        }
+    }
+    barrier();
+}
+
+agaa_PixelWork agaa_workOf(uvec2 pixel) {
+    const uint lane = gl_LocalInvocationIndex;
+    return agaa_countedWork(agaa_aggregateCount[lane], agaa_coveredSamples[lane]);
+}
+#else
+void agaa_groupTile() {}
 
 bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) { return true; }
 
@@ -34,14 +91,9 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
             uint i = uint(findLSB(left));
             agaa_masks[base + agaa_sampleAggregate[i]] |= 1u << i;
         }
-    uint covered = uint(bitCount(samples.covered));
-    agaa_count(AGAA_COUNT_VISIBLE, covered);
-    agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_countEvents(count);
-    agaa_count(AGAA_COUNT_AGGREGATES, count);
-    agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
-    return agaa_pixelWork((1u << count) - 1u, 0u, covered);
+    return agaa_countedWork(count, samples.covered);
 }
+#endif
 
 agaa_Means agaa_meansOf(uvec2 pixel, uint mask) {
     agaa_Means m = agaa_noMeans();
@@ -59,7 +111,7 @@ agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
     for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
         uint i = uint(findLSB(rest));
         agaa_fetchSample(pixel, i);
-        agaa_addToMeans(m, scale * agaa_sampleLight[i], agaa_sampleSurface());
+        agaa_addToMeans(m, scale * agaa_lightOf(i), agaa_sampleSurface());
     }
     return m;
 }
@@ -73,6 +125,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 
 void main() {
     agaa_countBegin();
+    agaa_groupTile();
     agaa_shadeTile();
     agaa_countEnd();
 }

@@ -5,6 +5,10 @@
 #if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_LIGHTING_GLSL)
 #error "aggregate_lighting.glsl needs target.glsl and lighting.glsl."
 #endif
+#ifndef AGAA_SAMPLE_LANES
+#define AGAA_SAMPLE_LANES 0
+#endif
+#include "aggregate/lane_words.glsl"
 #include "aggregate/shadow_taps.glsl"
 #include "aggregate/mean_surface.glsl"
 #include "common/debug_view.glsl"
@@ -89,9 +93,19 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
 }
 
 #if AGAA_LIT
-float agaa_sampleLight[AGAA_SAMPLES]; // share of a shadow's light that reaches each sample of the current aggregate
+// The share of a shadow's light that reaches each sample of the current aggregate.
+#if AGAA_SAMPLE_LANES
+void agaa_setLight(uint i, float light) {
+    AGAA_LANE_WORD(gl_LocalInvocationIndex, i) = floatBitsToUint(light);
+}
+float agaa_lightOf(uint i) { return uintBitsToFloat(AGAA_LANE_WORD(gl_LocalInvocationIndex, i)); }
+#else
+float agaa_sampleLight[AGAA_SAMPLES];
+void agaa_setLight(uint i, float light) { agaa_sampleLight[i] = light; }
+float agaa_lightOf(uint i) { return agaa_sampleLight[i]; }
+#endif
 
-// The includer defines this function. It returns sums over a pixel's samples, each times scale * agaa_sampleLight.
+// The includer defines this function. It returns sums over a pixel's samples, each times scale * agaa_lightOf() it.
 agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale);
 
 // Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these
@@ -104,8 +118,9 @@ void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
         const uint reached = (agaa_reachingShadows >> map & 1u) != 0u ? mask : 0u;
         for (uint rest = reached; rest != 0u; rest &= rest - 1u) {
             uint i = uint(findLSB(rest));
-            agaa_sampleLight[i] = agaa_shadowTap(map, agaa_toShadingSpace(agaa_viewPositionOf(pixel, i)));
-            sum += agaa_sampleLight[i];
+            float light = agaa_shadowTap(map, agaa_toShadingSpace(agaa_viewPositionOf(pixel, i)));
+            agaa_setLight(i, light);
+            sum += light;
         }
         agaa_visibility[map] = sum / float(bitCount(mask));
         agaa_litSurface[map] =

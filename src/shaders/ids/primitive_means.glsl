@@ -10,7 +10,7 @@
 float agaa_weightOf(uint i, bool isLit) {
 #if AGAA_LIT
     if (isLit)
-        return agaa_sampleLight[i];
+        return agaa_lightOf(i);
 #endif
     return 1.0;
 }
