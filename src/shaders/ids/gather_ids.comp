@@ -2,8 +2,15 @@
 // fragments.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "common/subgroup_extensions.glsl"
+#if AGAA_SAMPLE_LANES
+#define AGAA_MAX_SAMPLES 1
+#define AGAA_SAMPLE_WORDS AGAA_SAMPLES
+layout(local_size_x = 64) in;
+#else
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES
 layout(local_size_x = 8, local_size_y = 8) in;
+#endif
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
 #include "common/frame.glsl"

@@ -1,14 +1,15 @@
 // Fetches materials for the id tiers. The lanes of a workgroup collect the distinct primitives of 64 pixels and fetch
 // one material per entry, at the centroid of its samples. They also share the grouping of samples in pixels with
-// several primitives. Needs AGAA_MAX_SAMPLES, common/target.glsl and what ids/fetch.glsl needs.
+// several primitives: ids/pixel_grouping.glsl has one lane per pixel, ids/lane_grouping.glsl one per sample. Needs
+// AGAA_MAX_SAMPLES, common/target.glsl and what ids/fetch.glsl needs.
 #ifndef AGAA_PRIMITIVES_GLSL
 #define AGAA_PRIMITIVES_GLSL
 #if !defined(AGAA_MAX_SAMPLES) || !defined(AGAA_HOST_FETCH)
 #error "primitives.glsl needs AGAA_MAX_SAMPLES and AGAA_HOST_FETCH."
 #endif
 #include "aggregate/samples.glsl"
-#include "aggregate/grouping.glsl"
 #include "common/debug_view.glsl"
+#include "math/sbaa_surfaces.glsl"
 
 // Capacity of the list. A workgroup with more primitives needs several iterations, each with one pixel at least.
 #ifndef AGAA_LIST_LENGTH
@@ -31,10 +32,16 @@ shared uint agaa_waitingCount;                 // number of pixels for which the
 shared uint agaa_uncoveredSamples[64]; // of each pixel: samples that the G-buffer of unfetched draws lacks
 #endif
 
-// Values of the current pixel.
-uint agaa_sampleIds[AGAA_MAX_SAMPLES];
-uint agaa_samplePrimitive[AGAA_MAX_SAMPLES]; // index in the list
-uint agaa_primitiveSamples[AGAA_MAX_SAMPLES];
+vec3 agaa_listedNormal(uint at, uint i) { return agaa_materialNormal(agaa_listMaterial[at], i); }
+
+uint agaa_loadIds(uvec2 pixel);
+uint agaa_findEntry(uvec2 pixel, uint left, out uint ofPrimitive);
+
+#if AGAA_SAMPLE_LANES
+#include "ids/lane_grouping.glsl"
+#else
+#include "ids/pixel_grouping.glsl"
+#endif
 
 // Loads the ids of a pixel's samples. Returns the mask of samples with geometry.
 uint agaa_loadIds(uvec2 pixel) {
@@ -43,7 +50,7 @@ uint agaa_loadIds(uvec2 pixel) {
     uint i = 0u;
     do {
         uint id = agaa_idOf(pixel, i);
-        agaa_sampleIds[i] = id;
+        agaa_keepId(i, id);
         covered |= id != 0u ? 1u << i : 0u;
         agaa_shownUnfetched = agaa_shownUnfetched || !agaa_isFetched(id);
     } while (++i < agaa_sampleCount());
@@ -57,7 +64,7 @@ uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) {
     uint end = min((first / AGAA_HW_SAMPLES + 1u) * AGAA_HW_SAMPLES, agaa_sampleCount());
     uint alike = 1u << first;
     for (uint i = first + 1u; i < end; ++i)
-        if ((left >> i & 1u) != 0u && !agaa_isFetched(agaa_sampleIds[i]) && agaa_areAlike(pixel, first, i))
+        if ((left >> i & 1u) != 0u && !agaa_isFetched(agaa_keptId(i)) && agaa_areAlike(pixel, first, i))
             alike |= 1u << i;
     return alike;
 }
@@ -65,41 +72,47 @@ uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) {
 uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) { return 1u << first; }
 #endif
 
+// Returns the samples of the entry that has the first sample of `left`.
+// ofPrimitive   Receives all samples of its primitive; 0 for unfetched draws.
+uint agaa_findEntry(uvec2 pixel, uint left, out uint ofPrimitive) {
+    uint first = uint(findLSB(left));
+    uint id = agaa_keptId(first);
+    ofPrimitive = 0u;
+    if (!agaa_isFetched(id))
+        return agaa_alikeUnfetched(pixel, first, left);
+    uint i = 0u;
+    do
+        ofPrimitive |= agaa_keptId(i) == id ? 1u << i : 0u;
+    while (++i < agaa_sampleCount());
+    return ofPrimitive & left & agaa_materialGroup(first);
+}
+
 // Returns the number of list entries of these samples: one for each primitive and group of samples that share a
 // material, and one for each set of equal samples of unfetched draws. shown receives the number of fetched primitives.
 uint agaa_findPrimitives(uvec2 pixel, uint covered, out uint shown) {
     uint count = 0u;
     shown = 0u;
     for (uint left = covered; left != 0u; ++count) {
-        uint first = uint(findLSB(left));
-        uint id = agaa_sampleIds[first];
-        uint alike;
-        if (!agaa_isFetched(id)) {
-            alike = agaa_alikeUnfetched(pixel, first, left);
-        } else {
-            alike = left & (~left + 1u);
-            uint i = 0u;
-            do
-                alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
-            while (++i < agaa_sampleCount());
-            shown += (alike & covered & ~left) == 0u ? 1u : 0u;
-            alike &= left & agaa_materialGroup(first);
-        }
-        agaa_primitiveSamples[count] = alike;
-        left &= ~alike;
+        uint ofPrimitive;
+        uint samples = agaa_findEntry(pixel, left, ofPrimitive);
+        shown += ofPrimitive != 0u && (ofPrimitive & covered & ~left) == 0u ? 1u : 0u;
+        agaa_keepEntry(count, samples);
+        left &= ~samples;
     }
     return count;
 }
 
 // Writes the entries of this lane's pixel. count: one or more.
-void agaa_listPrimitives(uint first, uint count) {
+void agaa_listPrimitives(uvec2 pixel, uint covered, uint first, uint count) {
     const uint lane = gl_LocalInvocationIndex;
+    uint left = covered;
     uint i = 0u;
     do {
-        uint samples = agaa_primitiveSamples[i];
-        agaa_listId[first + i] = agaa_sampleIds[findLSB(samples)];
+        uint samples = agaa_entryAgain(pixel, i, left);
+        agaa_listId[first + i] = agaa_keptId(uint(findLSB(samples)));
         agaa_listSamples[first + i] = samples;
         agaa_listLane[first + i] = lane;
+        left &= ~samples;
     } while (++i < count);
     agaa_pixelList[lane] = first | count << 16u;
 }
@@ -133,68 +146,6 @@ void agaa_fetchListed(uint at) {
     agaa_listMaterial[at] = agaa_fetchMaterial(p, pixel, samples);
 }
 
-vec3 agaa_listedNormal(uint at, uint i) { return agaa_materialNormal(agaa_listMaterial[at], i); }
-
-// Returns the clustering input of a pixel, which may be that of another lane.
-agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
-    agaa_PixelSamples samples = agaa_noSamples();
-    uint first = agaa_pixelList[lane] & 0xFFFFu;
-    uint count = agaa_pixelList[lane] >> 16u;
-    uint covered = 0u;
-    for (uint k = 0u; k < count; ++k) {
-        covered |= agaa_listSamples[first + k];
-        for (uint rest = agaa_listSamples[first + k]; rest != 0u; rest &= rest - 1u)
-            agaa_samplePrimitive[findLSB(rest)] = first + k;
-    }
-    uint i = 0u;
-    do {
-        if ((covered >> i & 1u) != 0u) {
-            vec3 normal = agaa_listPlane[agaa_samplePrimitive[i]];
-            agaa_addSample(samples, pixel, i, normal, agaa_codeOfNormal(normal));
-        }
-    } while (++i < agaa_sampleCount());
-    return agaa_withDistance(samples);
-}
-
-bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) {
-    if (AGAA_GLOSS_WEIGHT == 0u)
-        return true; // planes are compared only
-    uint first = uint(findLSB(covered));
-    vec3 normal = agaa_listedNormal(agaa_samplePrimitive[first], first);
-    float least = 1.0;
-    for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
-        uint i = uint(findLSB(rest));
-        least = min(least, dot(normal, agaa_listedNormal(agaa_samplePrimitive[i], i)));
-    }
-    return least >= agaa_frame.surfaceCosine;
-}
-
-void agaa_weighNormals(uvec2 pixel, uint covered) {
-    uint i = 0u;
-    do {
-        if ((covered >> i & 1u) != 0u) {
-            uint at = agaa_samplePrimitive[i];
-            agaa_weighNormal(i, mat3(agaa_frame.view) * agaa_listedNormal(at, i), agaa_listMaterial[at].alpha2);
-        }
-    } while (++i < agaa_sampleCount());
-}
-
-// Groups the samples of a pixel, which may be that of another lane.
-void agaa_groupListed(uint lane) {
-    uvec2 pixel = agaa_pixelOf(lane);
-    agaa_PixelSamples samples = agaa_listedSamples(pixel, lane);
-    uint count = agaa_groupSamples(pixel, samples, agaa_sampleCount());
-    agaa_aggregateCount[lane] = count;
-    uint base = lane * AGAA_AGGREGATES;
-    for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
-        agaa_masks[base + a] = a == 0u && count == 1u ? samples.covered : 0u;
-    if (count > 1u)
-        for (uint left = samples.covered; left != 0u; left &= left - 1u) {
-            uint i = uint(findLSB(left));
-            agaa_masks[base + agaa_sampleAggregate[i]] |= 1u << i;
-        }
-}
-
 // The includer defines this function. All lanes call it when the aggregates of their pixels are in agaa_masks.
 // hasPixel    The lane has a pixel.
 // covered     Samples with a material.
@@ -220,7 +171,7 @@ void agaa_processPixels(uvec2 pixel, uint covered) {
         agaa_uncoveredSamples[lane] = 0u;
 #endif
         if (isListed) {
-            agaa_listPrimitives(first, primitives);
+            agaa_listPrimitives(pixel, covered, first, primitives);
             agaa_aggregateCount[lane] = 1u;
             for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
                 agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
@@ -244,20 +195,19 @@ void agaa_processPixels(uvec2 pixel, uint covered) {
         barrier();
 #ifdef AGAA_SOME_UNFETCHED
         uint uncovered = isListed ? agaa_uncoveredSamples[lane] : 0u;
-        if (isListed && !groups) { // agaa_groupListed() excludes them
+        if (isListed && !groups) { // agaa_groupComplexPixels() excludes them
             agaa_masks[lane * AGAA_AGGREGATES] &= ~uncovered;
             agaa_aggregateCount[lane] = covered == uncovered ? 0u : 1u;
         }
 #else
         const uint uncovered = 0u;
 #endif
-        if (lane < agaa_complexCount) {
-            agaa_groupListed(agaa_complexLanes[lane]);
-        }
+        agaa_groupComplexPixels();
         barrier();
         agaa_shadeDeferredPixel(isListed, pixel, covered & ~uncovered, uncovered);
         if (waiting == 0u)
             break;
+        agaa_keepIdsAgain(pixel, isWaiting);
         barrier();
     }
 }
