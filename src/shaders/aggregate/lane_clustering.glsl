@@ -35,35 +35,36 @@ agaa_LaneSample agaa_laneSampleAt(vec3 position, float depth, float quantum, vec
                            agaa_contentKey(offset, code), normal, 1.0);
 }
 
-// Lets the other lanes of the pixel read the sample.
-void agaa_publishSample(agaa_LaneSample s) {
-    const uint lane = agaa_laneIndex();
-    AGAA_LANE_WORD(lane, 0u) = floatBitsToUint(s.position.x);
-    AGAA_LANE_WORD(lane, 1u) = floatBitsToUint(s.position.y);
-    AGAA_LANE_WORD(lane, 2u) = floatBitsToUint(s.position.z);
-    AGAA_LANE_WORD(lane, 3u) = floatBitsToUint(s.normal.x);
-    AGAA_LANE_WORD(lane, 4u) = floatBitsToUint(s.normal.y);
-    AGAA_LANE_WORD(lane, 5u) = floatBitsToUint(s.normal.z);
-    AGAA_LANE_WORD(lane, 6u) = floatBitsToUint(s.depthStep);
-    AGAA_LANE_WORD(lane, 7u) = s.keyA;
-    AGAA_LANE_WORD(lane, 8u) = s.keyB;
-}
-
+// These functions let the other lanes of the pixel read values of this lane.
 void agaa_publishNormal(vec3 normal) {
     const uint lane = agaa_laneIndex();
     AGAA_LANE_WORD(lane, 3u) = floatBitsToUint(normal.x);
     AGAA_LANE_WORD(lane, 4u) = floatBitsToUint(normal.y);
     AGAA_LANE_WORD(lane, 5u) = floatBitsToUint(normal.z);
 }
+void agaa_publishPlane(agaa_LaneSample s) {
+    const uint lane = agaa_laneIndex();
+    AGAA_LANE_WORD(lane, 0u) = floatBitsToUint(s.position.x);
+    AGAA_LANE_WORD(lane, 1u) = floatBitsToUint(s.position.y);
+    AGAA_LANE_WORD(lane, 2u) = floatBitsToUint(s.position.z);
+    agaa_publishNormal(s.normal);
+    AGAA_LANE_WORD(lane, 6u) = floatBitsToUint(s.depthStep);
+}
+void agaa_publishContent(agaa_LaneSample s) {
+    const uint lane = agaa_laneIndex();
+    AGAA_LANE_WORD(lane, 7u) = s.keyA;
+    AGAA_LANE_WORD(lane, 8u) = s.keyB;
+}
 
 vec3 agaa_publishedVector(uint lane, uint word) {
     return uintBitsToFloat(
         uvec3(AGAA_LANE_WORD(lane, word), AGAA_LANE_WORD(lane, word + 1u), AGAA_LANE_WORD(lane, word + 2u)));
 }
+vec3 agaa_publishedPosition(uint lane) { return agaa_publishedVector(lane, 0u); }
 vec3 agaa_publishedNormal(uint lane) { return agaa_publishedVector(lane, 3u); }
 
 agaa_Plane agaa_publishedPlane(uint lane) {
-    return agaa_Plane(agaa_publishedVector(lane, 0u), agaa_publishedNormal(lane),
+    return agaa_Plane(agaa_publishedPosition(lane), agaa_publishedNormal(lane),
                       uintBitsToFloat(AGAA_LANE_WORD(lane, 6u)));
 }
 
@@ -220,7 +221,8 @@ agaa_LaneGroup agaa_groupLanes(agaa_LaneSample s, bool comparesShading) {
     if (AGAA_AGGREGATES == 1u)
         return group;
     agaa_syncLanes(); // the lanes have read the samples of the previous pixel
-    agaa_publishSample(s);
+    agaa_publishPlane(s);
+    agaa_publishContent(s);
     agaa_syncLanes();
     agaa_PixelSamples samples = agaa_pixelOfLanes(s, group.covered);
     bool isOne = agaa_areOneSurfaceLanes(s, group.covered, agaa_surfaceWidth(samples), comparesShading);
