@@ -13,6 +13,7 @@
 #include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "interlock_cases.h"
+#include "lanes_cases.h"
 #include "left_handed_cases.h"
 #include "mask_cases.h"
 #include "pattern_cases.h"
@@ -43,6 +44,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FactsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LaneCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LeftHandedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DebugViewCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ShadowFunctionCases, OpenGLHost);

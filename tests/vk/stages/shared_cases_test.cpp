@@ -13,6 +13,7 @@
 #include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "interlock_cases.h"
+#include "lanes_cases.h"
 #include "left_handed_cases.h"
 #include "mask_cases.h"
 #include "pattern_cases.h"
@@ -45,6 +46,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FactsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LaneCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LeftHandedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ShadowFunctionCases, VulkanHost);

@@ -1,0 +1,126 @@
+// Passes that group samples with one lane per pixel and per sample: images and counters are equal bit for bit. Each
+// graphics API instantiates these.
+#pragma once
+
+#include "shown.h"
+
+#include "core/abi/handles.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+
+namespace agaa::test {
+
+struct LaneRow {
+    const char* technique;
+    uint32_t tier, n, c;
+    uint64_t flags = 0;      // AGAA_CONFIG_…
+    const char* preset = ""; // it sets c
+    bool isMixed = false;    // each third triangle is not fetched
+    uint32_t seeds = AGAA_SEEDS_MAXIMIN;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const LaneRow& row) {
+    return out << row.technique << ' ' << agaaTierName(row.tier) << " n=" << row.n << " c=" << row.c << ' '
+               << row.preset << " flags=" << row.flags << (row.isMixed ? " some unfetched" : "")
+               << " seeds=" << row.seeds;
+}
+
+template <class Host> class LaneCases : public testing::Test {
+protected:
+    Shown render(const LaneRow& row, AgaaLanes lanes) {
+        ViewSettings settings;
+        settings.width = 24;
+        settings.height = 20; // the last tiles are not whole
+        settings.config.samples = row.n;
+        settings.config.aggregates = row.c;
+        if (*row.preset) {
+            EXPECT_EQ(settings.config.applyPreset(row.preset), AGAA_OK);
+        }
+        settings.config.technique = row.technique;
+        settings.config.generationTier = row.tier;
+        settings.config.flags |= row.flags;
+        settings.config.measurement.seeds = row.seeds;
+        settings.config.measurement.lanes = lanes;
+        const bool hasShadow = *row.preset;
+        settings.facts.shadowMapCount = hasShadow;
+        AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+        function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return fract(3.0 * position.x); }";
+        function.shadows = 1;
+        if (hasShadow)
+            settings.chained = &function;
+        if (row.isMixed)
+            settings.shader = ViewSettings::Shader::ThirdUnfetched;
+        const AgaaShadow shadow{};
+        Shot shot{.triangles = randomTriangles({.triangles = 150, .duplicates = 0.1f, .masked = 0.2f}, 61),
+                  .change =
+                      [&](AgaaFrame& frame) {
+                          frame.shadows = &shadow;
+                          frame.shadowCount = hasShadow;
+                      },
+                  .fetchFlags = row.isMixed ? AGAA_FETCH_NOT_ALL_DRAWS : 0};
+        shot.lights[0].shadowMap = hasShadow ? 0 : AGAA_NO_SHADOW;
+        const AgaaDeviceCaps caps = context.caps();
+        shot.triangles = settleTies(shot.triangles, caps);
+        return show(context, settings, shot);
+    }
+
+    // Compares the variants of a row. Returns their number.
+    uint32_t compareLanes(const LaneRow& row) {
+        const Shown pixel = render(row, AGAA_LANES_PIXEL);
+        EXPECT_GT(pixel.counters.aggregates, pixel.counters.shadedPixels * (row.c > 1)) << row;
+        uint32_t variants = 1;
+        for (const AgaaLanes lanes : {AGAA_LANES_SAMPLE_SHARED, AGAA_LANES_SAMPLE_SUBGROUP}) {
+            if (lanes == AGAA_LANES_SAMPLE_SUBGROUP && context.caps().subgroupSize < std::bit_ceil(row.n))
+                continue;
+            ++variants;
+            const Shown other = render(row, lanes);
+            size_t different = 0;
+            for (size_t i = 0; i < pixel.rgb.size(); i += 3)
+                different += std::memcmp(&pixel.rgb[i], &other.rgb[i], 3 * sizeof(float)) != 0;
+            EXPECT_EQ(different, 0u) << "pixels of " << row << " with lanes " << lanes;
+            EXPECT_EQ(std::memcmp(&pixel.counters, &other.counters, sizeof pixel.counters), 0)
+                << "counters of " << row << " with lanes " << lanes;
+        }
+        return variants;
+    }
+
+    typename Host::Context context;
+};
+TYPED_TEST_SUITE_P(LaneCases);
+
+TYPED_TEST_P(LaneCases, ShowTheSame) {
+    uint32_t variants = 0;
+    for (const LaneRow& row :
+         {LaneRow{"agaa", AGAA_TIER_POST_DEPTH_ATOMICS, 8, 4, 0, "", false, AGAA_SEEDS_SUM_OF_SQUARES},
+          LaneRow{"agaa", AGAA_TIER_GBUFFER, 4, 3}, LaneRow{"agaa", AGAA_TIER_IDS, 8, 4, 0, "accurate"},
+          LaneRow{"sbaa", AGAA_TIER_GBUFFER, 8, 3}})
+        variants += this->compareLanes(row);
+    std::printf("%u variants, subgroups of %u lanes\n", variants, this->context.caps().subgroupSize);
+    EXPECT_GE(variants, 8u);
+}
+
+TYPED_TEST_P(LaneCases, ShowTheSameWithAllSettings) {
+    for (const uint32_t n : {1u, 2u, 4u, 8u, 16u, 32u}) {
+        for (uint32_t c = 1; c <= std::min(n, 4u); ++c) {
+            const uint32_t seeds = c % 2 ? AGAA_SEEDS_MAXIMIN : AGAA_SEEDS_SUM_OF_SQUARES;
+            this->compareLanes({"agaa", AGAA_TIER_POST_DEPTH_ATOMICS, n, c, 0, "", false, seeds});
+            this->compareLanes({"agaa", AGAA_TIER_GBUFFER, n, c, c == 2 ? AGAA_CONFIG_BUFFERED : 0, "", false, seeds});
+            this->compareLanes({"agaa", AGAA_TIER_IDS, n, c, c == 3 ? AGAA_CONFIG_BUFFERED : 0, "", c == 2, seeds});
+            this->compareLanes({"sbaa", c % 2 ? AGAA_TIER_GBUFFER : AGAA_TIER_POST_DEPTH_ATOMICS, n, c});
+        }
+        if (n == 1)
+            continue;
+        this->compareLanes({"agaa", AGAA_TIER_IDS, n, 4, AGAA_CONFIG_SPLIT_SURFACES, "accurate"});
+        this->compareLanes({"agaa", AGAA_TIER_IDS, n, 4, 0, "balanced", true});
+        this->compareLanes({"agaa", AGAA_TIER_GBUFFER, n, 4, AGAA_CONFIG_SPLIT_SURFACES, "balanced"});
+        if (n >= 8)
+            this->compareLanes({"sbaa", AGAA_TIER_GBUFFER, n, 6});
+    }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings);
+
+} // namespace agaa::test
