@@ -61,6 +61,8 @@ protected:
                           frame.shadowCount = hasShadow;
                       },
                   .fetchFlags = row.isMixed ? AGAA_FETCH_NOT_ALL_DRAWS : 0};
+        for (size_t i = 0; i < shot.triangles.size(); i += 2)
+            shot.triangles[i].material.normal.w = 2e-3f; // glossy, so that normals are weighed
         shot.lights[0].shadowMap = hasShadow ? 0 : AGAA_NO_SHADOW;
         const AgaaDeviceCaps caps = context.caps();
         shot.triangles = settleTies(shot.triangles, caps);

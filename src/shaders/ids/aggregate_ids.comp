@@ -21,6 +21,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_CONSUMES_DEFERRED
 #include "ids/deferred_pixels.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "ids/primitive_list.glsl"
 #include "common/events.glsl"
 #include "aggregate/aggregate_lighting.glsl"
 #include "ids/primitives.glsl"
@@ -29,9 +30,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 // Returns means over these samples of the pixel of a lane.
 agaa_Means agaa_meansOf(uint lane, uint mask, float scale, bool isLit) {
     agaa_Means m = agaa_noMeans();
-    uint list = agaa_pixelList[lane];
-    uint end = (list & 0xFFFFu) + (list >> 16u);
-    for (uint at = list & 0xFFFFu; at < end; ++at) {
+    uvec2 entries = agaa_entriesOf(lane);
+    for (uint at = entries.x; at < entries.y; ++at) {
         uint samples = agaa_listSamples[at] & mask;
         if (samples != 0u)
             agaa_addPrimitive(m, agaa_listMaterial[at], samples, scale, isLit);
@@ -60,7 +60,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 void agaa_shadeDeferredPixel(bool hasPixel, uvec2 pixel, uint covered, uint uncovered) {
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     if (hasPixel)
-        work = agaa_countedWork(pixel, agaa_aggregateCount[gl_LocalInvocationIndex], covered, uncovered);
+        work = agaa_countedWork(pixel, agaa_aggregatesOf(gl_LocalInvocationIndex), covered, uncovered);
     vec3 color = agaa_shadeWork(work);
     if (hasPixel)
         agaa_writePixel(pixel, work, color);

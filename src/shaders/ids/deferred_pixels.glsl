@@ -43,7 +43,8 @@ void agaa_deferLate(uvec2 pixel) {
 #else
 const uint agaa_maxDeferred = 64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE;
 shared uint agaa_deferredCount;
-shared uint agaa_deferredPixels[agaa_maxDeferred]; // lane in its tile | tile << 6
+// Bytes of pixels: lane in its tile | tile << 6, which takes regions of up to 4 tiles.
+shared uint agaa_deferredPixels[agaa_maxDeferred / 4u];
 uint agaa_firstDeferred = 0u; // index of the first pixel of the current iteration, in which each lane has one
 
 // Lists the deferred pixels of the region and returns their number. All lanes must call it.
@@ -51,13 +52,17 @@ uint agaa_findDeferred() {
     const uint lane = gl_LocalInvocationIndex;
     if (lane == 0u)
         agaa_deferredCount = 0u;
+    if (lane < agaa_maxDeferred / 4u)
+        agaa_deferredPixels[lane] = 0u;
     barrier();
     for (uint t = 0u; t < AGAA_REGION_SIDE * AGAA_REGION_SIDE; ++t) {
         uvec2 tile = gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(t % AGAA_REGION_SIDE, t / AGAA_REGION_SIDE);
         if (any(greaterThanEqual(tile, agaa_tileCounts())))
             continue;
-        if ((agaa_deferred.words[agaa_deferredWord(tile, lane)] >> (lane & 31u) & 1u) != 0u)
-            agaa_deferredPixels[atomicAdd(agaa_deferredCount, 1u)] = lane | t << 6u;
+        if ((agaa_deferred.words[agaa_deferredWord(tile, lane)] >> (lane & 31u) & 1u) != 0u) {
+            uint index = atomicAdd(agaa_deferredCount, 1u);
+            atomicOr(agaa_deferredPixels[index >> 2u], (lane | t << 6u) << 8u * (index & 3u));
+        }
     }
     barrier();
     return agaa_deferredCount;
@@ -65,7 +70,8 @@ uint agaa_findDeferred() {
 
 // Returns the pixel of a lane in the current iteration.
 uvec2 agaa_pixelOf(uint lane) {
-    uint entry = agaa_deferredPixels[min(agaa_firstDeferred + lane, agaa_maxDeferred - 1u)];
+    uint index = min(agaa_firstDeferred + lane, agaa_maxDeferred - 1u);
+    uint entry = agaa_deferredPixels[index >> 2u] >> 8u * (index & 3u) & 0xFFu;
     uint tile = entry >> 6u;
     uvec2 corner = gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(tile % AGAA_REGION_SIDE, tile / AGAA_REGION_SIDE);
     return corner * 8u + uvec2(entry & 7u, entry >> 3u & 7u);

@@ -24,9 +24,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
     agaa_clearSums();
-    uint list = agaa_pixelList[gl_LocalInvocationIndex];
-    uint end = (list & 0xFFFFu) + (list >> 16u);
-    for (uint at = list & 0xFFFFu; at < end && mask != 0u; ++at) {
+    uvec2 entries = agaa_entriesOf(gl_LocalInvocationIndex);
+    for (uint at = entries.x; at < entries.y && mask != 0u; ++at) {
         agaa_Stored v = agaa_storedMaterial(agaa_listMaterial[at]);
         uint samples = agaa_listSamples[at] & mask;
         bool isCurved = agaa_isCurvedMaterial(agaa_listMaterial[at]);

@@ -1,5 +1,5 @@
-// The part of ids/primitives.glsl, which includes it, with one lane per sample. A lane lists the primitives of a pixel, and
-// keeps the ids of its samples in shared memory until samples are grouped.
+// The part of ids/primitives.glsl, which includes it, with one lane per sample. A lane lists the primitives of a pixel,
+// and keeps the ids of its samples in shared memory until samples are grouped.
 #ifndef AGAA_LANE_GROUPING_GLSL
 #define AGAA_LANE_GROUPING_GLSL
 #ifndef AGAA_PRIMITIVES_GLSL
@@ -27,13 +27,12 @@ uint agaa_entryAgain(uvec2 pixel, uint index, uint left) {
 agaa_LaneSample agaa_listedLaneSample(uvec2 pixel, uint lane) {
     agaa_LaneSample s = agaa_noLaneSample();
     const uint i = agaa_laneSample();
-    uint first = agaa_pixelList[lane] & 0xFFFFu;
-    uint end = first + (agaa_pixelList[lane] >> 16u);
-    uint at = end;
-    for (uint k = first; k < end; ++k)
+    const uvec2 entries = agaa_entriesOf(lane);
+    uint at = entries.y;
+    for (uint k = entries.x; k < entries.y; ++k)
         at = (agaa_listSamples[k] >> i & 1u) != 0u ? k : at;
-    if (at < end) {
-        vec3 normal = agaa_listPlane[at];
+    if (at < entries.y) {
+        vec3 normal = agaa_listedPlane(at);
         float depth = agaa_depthOf(pixel, i);
         s = agaa_laneSampleAt(agaa_sampleViewPosition(pixel, i, depth), depth, agaa_storedQuantum(depth),
                               agaa_sampleLocation(i), normal, agaa_codeOfNormal(normal));
@@ -45,13 +44,13 @@ agaa_LaneSample agaa_listedLaneSample(uvec2 pixel, uint lane) {
     return s;
 }
 
-// Groups the samples of all pixels of agaa_complexLanes. All lanes must call it.
+// Groups the samples of all complex pixels. All lanes must call it.
 void agaa_groupComplexPixels() {
     const uint count = agaa_complexCount;
     for (uint first = 0u; first < count; first += agaa_pixelsAtOnce) {
         uint index = first + agaa_lanePixel(0u);
         bool hasPixel = index < count;
-        uint lane = agaa_complexLanes[min(index, 63u)] & 63u;
+        uint lane = AGAA_COMPLEX_LANE(min(index, 63u)) & 63u;
         agaa_LaneSample s = agaa_noLaneSample();
         if (hasPixel && agaa_laneSample() < AGAA_SAMPLES)
             s = agaa_listedLaneSample(agaa_pixelOf(lane), lane);
@@ -63,7 +62,7 @@ void agaa_groupComplexPixels() {
                 agaa_masks[lane * AGAA_AGGREGATES + a] = mask;
         }
         if (writes)
-            agaa_aggregateCount[lane] = group.count;
+            agaa_setAggregates(lane, group.count);
     }
 }
 #endif

@@ -1,4 +1,5 @@
-// The part of ids/primitives.glsl, which includes it, with one lane per pixel: the lane keeps ids and samples in arrays.
+// The part of ids/primitives.glsl, which includes it, with one lane per pixel: the lane keeps ids and samples in
+// arrays.
 #ifndef AGAA_PIXEL_GROUPING_GLSL
 #define AGAA_PIXEL_GROUPING_GLSL
 #ifndef AGAA_PRIMITIVES_GLSL
@@ -21,18 +22,17 @@ uint agaa_entryAgain(uvec2 pixel, uint index, uint left) { return agaa_primitive
 // Returns the clustering input of a pixel, which may be that of another lane.
 agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
     agaa_PixelSamples samples = agaa_noSamples();
-    uint first = agaa_pixelList[lane] & 0xFFFFu;
-    uint count = agaa_pixelList[lane] >> 16u;
+    uvec2 entries = agaa_entriesOf(lane);
     uint covered = 0u;
-    for (uint k = 0u; k < count; ++k) {
-        covered |= agaa_listSamples[first + k];
-        for (uint rest = agaa_listSamples[first + k]; rest != 0u; rest &= rest - 1u)
-            agaa_samplePrimitive[findLSB(rest)] = first + k;
+    for (uint at = entries.x; at < entries.y; ++at) {
+        covered |= agaa_listSamples[at];
+        for (uint rest = agaa_listSamples[at]; rest != 0u; rest &= rest - 1u)
+            agaa_samplePrimitive[findLSB(rest)] = at;
     }
     uint i = 0u;
     do {
         if ((covered >> i & 1u) != 0u) {
-            vec3 normal = agaa_listPlane[agaa_samplePrimitive[i]];
+            vec3 normal = agaa_listedPlane(agaa_samplePrimitive[i]);
             agaa_addSample(samples, pixel, i, normal, agaa_codeOfNormal(normal));
         }
     } while (++i < agaa_sampleCount());
@@ -67,7 +67,7 @@ void agaa_groupListed(uint lane) {
     uvec2 pixel = agaa_pixelOf(lane);
     agaa_PixelSamples samples = agaa_listedSamples(pixel, lane);
     uint count = agaa_groupSamples(pixel, samples, agaa_sampleCount());
-    agaa_aggregateCount[lane] = count;
+    agaa_setAggregates(lane, count);
     uint base = lane * AGAA_AGGREGATES;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
         agaa_masks[base + a] = a == 0u && count == 1u ? samples.covered : 0u;
@@ -78,11 +78,11 @@ void agaa_groupListed(uint lane) {
         }
 }
 
-// Groups the samples of all pixels of agaa_complexLanes. All lanes must call it.
+// Groups the samples of all complex pixels. All lanes must call it.
 void agaa_groupComplexPixels() {
     const uint lane = gl_LocalInvocationIndex;
     if (lane < agaa_complexCount) {
-        agaa_groupListed(agaa_complexLanes[lane]);
+        agaa_groupListed(AGAA_COMPLEX_LANE(lane));
     }
 }
 #endif

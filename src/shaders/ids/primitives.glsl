@@ -9,23 +9,10 @@
 #endif
 #include "aggregate/samples.glsl"
 #include "common/debug_view.glsl"
+#include "ids/primitive_list.glsl"
 #include "math/sbaa_surfaces.glsl"
 
-// Capacity of the list. A workgroup with more primitives needs several iterations, each with one pixel at least.
-#ifndef AGAA_LIST_LENGTH
-#define AGAA_LIST_LENGTH 256u
-#endif
-const uint agaa_listLength = AGAA_LIST_LENGTH;
-shared uint agaa_listedCount; // requested entries; may exceed the capacity
-shared uint agaa_listId[agaa_listLength];
-shared uint agaa_listSamples[agaa_listLength]; // 0: unused entry
-shared uint agaa_listLane[agaa_listLength];
-shared vec3 agaa_listPlane[agaa_listLength]; // normal in view space
-shared AgaaMaterial agaa_listMaterial[agaa_listLength]; // with the normal at the pixel's corner, not unit
-shared uint agaa_pixelList[64]; // first entry | number of entries << 16
 shared uint agaa_complexCount;  // number of pixels whose samples are grouped
-shared uint agaa_complexLanes[64];
-shared uint agaa_aggregateCount[64];
 shared uint agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate
 shared uint agaa_waitingCount;                 // number of pixels for which the list had no room
 #ifdef AGAA_SOME_UNFETCHED
@@ -109,27 +96,27 @@ void agaa_listPrimitives(uvec2 pixel, uint covered, uint first, uint count) {
     uint i = 0u;
     do {
         uint samples = agaa_entryAgain(pixel, i, left);
-        agaa_listId[first + i] = agaa_keptId(uint(findLSB(samples)));
+        AGAA_LIST_ID(first + i) = agaa_keptId(uint(findLSB(samples)));
         agaa_listSamples[first + i] = samples;
-        agaa_listLane[first + i] = lane;
+        AGAA_LIST_LANE(first + i) = lane;
         left &= ~samples;
     } while (++i < count);
-    agaa_pixelList[lane] = first | count << 16u;
+    agaa_pixelList[lane] = first | count << 16u | 1u << 24u;
 }
 
 void agaa_fetchListed(uint at) {
     uint samples = agaa_listSamples[at];
-    uint lane = agaa_listLane[at];
+    uint lane = AGAA_LIST_LANE(at);
     uvec2 pixel = agaa_pixelOf(lane);
 #ifdef AGAA_SOME_UNFETCHED
-    if (!agaa_isFetched(agaa_listId[at])) {
+    if (!agaa_isFetched(AGAA_LIST_ID(at))) {
         if (!agaa_fetchSample(pixel, uint(findLSB(samples)))) {
             agaa_listSamples[at] = 0u;
             atomicOr(agaa_uncoveredSamples[lane], samples);
             return;
         }
         agaa_Surface s = agaa_sampleSurface();
-        agaa_listPlane[at] = mat3(agaa_frame.view) * s.normal;
+        agaa_listPlane(at, mat3(agaa_frame.view) * s.normal);
         AgaaMaterial m = agaa_defaultMaterial();
         m.diffuse = s.diffuse;
         m.specular = s.specular;
@@ -141,8 +128,8 @@ void agaa_fetchListed(uint at) {
         return;
     }
 #endif
-    AgaaPrimitive p = agaa_primitive(agaa_listId[at]);
-    agaa_listPlane[at] = agaa_planeNormal(p);
+    AgaaPrimitive p = agaa_primitive(AGAA_LIST_ID(at));
+    agaa_listPlane(at, agaa_planeNormal(p));
     agaa_listMaterial[at] = agaa_fetchMaterial(p, pixel, samples);
 }
 
@@ -172,14 +159,13 @@ void agaa_processPixels(uvec2 pixel, uint covered) {
 #endif
         if (isListed) {
             agaa_listPrimitives(pixel, covered, first, primitives);
-            agaa_aggregateCount[lane] = 1u;
             for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
                 agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
         }
         bool groups = isListed && AGAA_AGGREGATES > 1u &&
                       (primitives > 1u || agaa_splitsSurfaces() || AGAA_GLOSS_WEIGHT != 0u);
         if (groups)
-            agaa_complexLanes[atomicAdd(agaa_complexCount, 1u)] = lane;
+            AGAA_COMPLEX_LANE(atomicAdd(agaa_complexCount, 1u)) = lane;
         isWaiting = isWaiting && !isListed;
         if (isWaiting)
             atomicAdd(agaa_waitingCount, 1u);
@@ -197,7 +183,7 @@ void agaa_processPixels(uvec2 pixel, uint covered) {
         uint uncovered = isListed ? agaa_uncoveredSamples[lane] : 0u;
         if (isListed && !groups) { // agaa_groupComplexPixels() excludes them
             agaa_masks[lane * AGAA_AGGREGATES] &= ~uncovered;
-            agaa_aggregateCount[lane] = covered == uncovered ? 0u : 1u;
+            agaa_setAggregates(lane, covered == uncovered ? 0u : 1u);
         }
 #else
         const uint uncovered = 0u;
