@@ -247,7 +247,15 @@ void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
     if (is13) {
         apiVersion = VK_API_VERSION_1_3;
         features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+        VkPhysicalDeviceFeatures2 has{};
+        has.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+        has.pNext = &features13;
+        vkGetPhysicalDeviceFeatures2(physicalDevice, &has);
+        const VkBool32 fullSubgroups = features13.computeFullSubgroups;
+        features13 = {};
+        features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
         features13.dynamicRendering = VK_TRUE;
+        features13.computeFullSubgroups = fullSubgroups;
         enabledFeatures.pNext = &features13;
     }
     const auto enableAvailable = [this](const char* extension, auto& features) {

@@ -43,6 +43,7 @@ AgaaDeviceCaps idealCaps() {
     caps.maxImageSize = 1u << 20;
     caps.maxStorageRange = UINT64_C(1) << 48;
     caps.maxSharedBytes = 49152;
+    caps.subgroupSize = 32;
     caps.flags = idealDeviceFlags;
     return caps;
 }

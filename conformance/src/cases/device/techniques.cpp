@@ -62,6 +62,9 @@ void testOptions(Test& test) {
         inner.check(unnamedCaps.flags ==
                         (caps.flags & ~(AGAA_DEVICE_CONDITIONAL_RENDERING | AGAA_DEVICE_FRAMEBUFFER_FETCH)),
                     "enabledFeatures = null gives the context other flags.");
+        inner.check(caps.subgroupSize == deviceCaps.subgroupSize && unnamedCaps.subgroupSize == 0,
+                    "the context has other subgroups than agaaVkGetDeviceCaps, or has them with enabledFeatures = "
+                    "null.");
         const bool isDynamic = caps.flags & AGAA_DEVICE_DYNAMIC_RENDERING;
         const auto ask = [](ContextDescription& d) { d.vk.rendering = AGAA_VK_RENDERING_DYNAMIC; };
         if (isDynamic)
