@@ -27,23 +27,11 @@ class KnownMiss(typing.NamedTuple):
 KNOWN_MISSES = [KnownMiss(*row) for row in [
     # pass, configurations, VGPRs, spilled VGPRs, bytes of scratch
     ("aggregate and shade", "* fragments n=*", 208, 0, 1824),
-    ("aggregate and shade", "* gbuffer n=16*", 216),
-    ("aggregate and shade", "* gbuffer n=32*", 200, 0, 768),
-    ("aggregate and shade", "* ids n=[48]*", 232),
-    ("aggregate and shade", "* ids n=16*", 256, 583, 400),
-    ("aggregate and shade", "* ids n=32*", 256, 1162, 1376),
-    ("define aggregates", "* n=16*", 216),
-    ("define aggregates", "* n=32*", 200, 0, 768),
-    ("gather aggregates", "* ids n=8*", 200),
-    ("gather aggregates", "* ids n=32*", 256, 674, 1152),
     ("merge fragments", "dcaa *", 104, 0, 480),
-    ("select surfaces", "sbaa * n=16 *", 160),
-    ("select surfaces", "sbaa * n=32 *", 80, 0, 768),
     ("shade first samples", "adaptive ids n=32", 84, 0, 512),
     ("shade fragments", "dcaa exact *", 152),
     ("shade further samples", "adaptive * n=16", 168),
     ("shade further samples", "adaptive * n=32", 152, 0, 512),
-    ("shade single primitives", "* ids n=16*", 152),
     ("shade single primitives", "* ids n=32*", 144, 0, 304),
 ]]
 

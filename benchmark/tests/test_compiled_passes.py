@@ -32,6 +32,7 @@ class Passes(unittest.TestCase):
     compiler = None
 
     def test_meet_their_bounds(self):
+        self.maxDiff = None
         found = {configuration.name: configuration for configuration in compiled.configurations()}
         names = found if os.environ.get("AGAA_COMPILED") == "all" else COVERING
         rows = compiled.measure(self.compiler, [found[name] for name in names], compiled.CHIPS)

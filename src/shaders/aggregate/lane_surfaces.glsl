@@ -1,5 +1,5 @@
-// Selects the surfaces that a pixel keeps, with one lane per sample (math/sbaa_surfaces.glsl has one lane per pixel).
-// The results are equal bit for bit. Needs what aggregate/lane_clustering.glsl needs.
+// Selects the surfaces that a pixel keeps, with one lane per sample. math/sbaa_surfaces.glsl has one lane per pixel,
+// and its results are equal bit for bit. Needs what aggregate/lane_clustering.glsl needs.
 #ifndef AGAA_LANE_SURFACES_GLSL
 #define AGAA_LANE_SURFACES_GLSL
 #include "aggregate/lane_clustering.glsl"

@@ -1,5 +1,5 @@
-// The part of ids/primitives.glsl, which includes it, with one lane per sample. A lane lists the primitives of a pixel,
-// and keeps the ids of its samples in shared memory until samples are grouped.
+// The part of ids/primitives.glsl with one lane per sample. A lane lists the primitives of a pixel, and keeps the ids
+// of its samples in shared memory until samples are grouped.
 #ifndef AGAA_LANE_GROUPING_GLSL
 #define AGAA_LANE_GROUPING_GLSL
 #ifndef AGAA_PRIMITIVES_GLSL

@@ -1,5 +1,4 @@
-// The part of ids/primitives.glsl, which includes it, with one lane per pixel: the lane keeps ids and samples in
-// arrays.
+// The part of ids/primitives.glsl with one lane per pixel, which keeps ids and samples in arrays.
 #ifndef AGAA_PIXEL_GROUPING_GLSL
 #define AGAA_PIXEL_GROUPING_GLSL
 #ifndef AGAA_PRIMITIVES_GLSL
