@@ -46,7 +46,7 @@ void main() {
             if (agaa_laneSample() == 0u)
                 agaa_writeMetadata(pixel, planes);
 #if !AGAA_FROM_GBUFFER
-            agaa_clearAggregates(pixel, agaa_laneSample(), agaa_pixelLanes);
+            agaa_clearAggregates(pixel, group.count, agaa_laneSample(), agaa_pixelLanes);
 #endif
         }
     }
@@ -66,14 +66,15 @@ void main() {
         return;
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     uvec2 planes = uvec2(0u);
-    if (agaa_groupSamples(pixel, samples, agaa_sampleCount()) > 1u) {
+    const uint count = agaa_groupSamples(pixel, samples, agaa_sampleCount());
+    if (count > 1u) {
         for (uint i = 0u; i < agaa_sampleCount(); ++i)
             if ((samples.covered >> i & 1u) != 0u)
                 agaa_putAggregateId(planes, i, agaa_sampleAggregate[i]);
     }
     agaa_writeMetadata(pixel, planes);
 #if !AGAA_FROM_GBUFFER
-    agaa_clearAggregates(pixel, 0u, 1u);
+    agaa_clearAggregates(pixel, count, 0u, 1u);
 #endif
 }
 #endif
