@@ -23,9 +23,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #else
 #include "aggregate/grouping.glsl"
 #endif
-#if !AGAA_FROM_GBUFFER
-#include "aggregate/clear_aggregates.glsl"
-#endif
 #include "math/metadata.glsl"
 
 layout(AGAA_BINDING_METADATA_OUT) writeonly uniform uimage2D agaa_metadata;
@@ -42,13 +39,8 @@ void main() {
         agaa_LaneGroup group = agaa_groupLanes(s, false);
         uvec2 planes = uvec2(agaa_samplesWhere((group.aggregate & 1u) != 0u),
                              agaa_samplesWhere((group.aggregate & 2u) != 0u));
-        if (all(lessThan(pixel, agaa_frame.size))) {
-            if (agaa_laneSample() == 0u)
-                agaa_writeMetadata(pixel, planes);
-#if !AGAA_FROM_GBUFFER
-            agaa_clearAggregates(pixel, group.count, agaa_laneSample(), agaa_pixelLanes);
-#endif
-        }
+        if (agaa_laneSample() == 0u && all(lessThan(pixel, agaa_frame.size)))
+            agaa_writeMetadata(pixel, planes);
     }
 }
 #else
@@ -66,15 +58,11 @@ void main() {
         return;
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     uvec2 planes = uvec2(0u);
-    const uint count = agaa_groupSamples(pixel, samples, agaa_sampleCount());
-    if (count > 1u) {
+    if (agaa_groupSamples(pixel, samples, agaa_sampleCount()) > 1u) {
         for (uint i = 0u; i < agaa_sampleCount(); ++i)
             if ((samples.covered >> i & 1u) != 0u)
                 agaa_putAggregateId(planes, i, agaa_sampleAggregate[i]);
     }
     agaa_writeMetadata(pixel, planes);
-#if !AGAA_FROM_GBUFFER
-    agaa_clearAggregates(pixel, count, 0u, 1u);
-#endif
 }
 #endif

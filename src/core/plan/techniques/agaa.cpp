@@ -87,18 +87,7 @@ void build(PlanBuilder& b) {
     sums.layout = byIds || fromGBuffer ? b.view().layout : twoPassLayout(b.view().layout, b.view().facts.flags);
     sums.packing = packAggregate(sums.layout, b.view().samples);
     sums.stride = sums.packing.words;
-    const bool isTwoPasses = !byIds && !fromGBuffer;
-    // The claims of samples, behind all aggregates, need a fill.
-    sums.definitionClears = isTwoPasses && b.view().aggregates > 1 && b.view().claimBytes() == 0;
-    sums.define = [&](const auto& bindSamples, ResourceId aggregates) {
-        return defineAggregates(b, [&](Pass& define) {
-            bindSamples(define);
-            if (isTwoPasses)
-                b.bind(define, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
-            if (sums.definitionClears)
-                setRecord(define, sums);
-        });
-    };
+    sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
     byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
 }
 
