@@ -205,6 +205,7 @@ void Device::createDevice(const RendererOptions& options) {
         const auto is = [extension](const char* name) { return std::strcmp(extension, name) == 0; };
         if ((is(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME) && isUnwanted("dynamicRendering")) ||
             (is(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME) && isUnwanted("conditionalRendering")) ||
+            (is(VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME) && apiVersion_ >= VK_API_VERSION_1_3) || // a part of 1.3
             !enable(extension))
             continue;
         has.dynamicRendering |= is(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME);

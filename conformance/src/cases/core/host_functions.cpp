@@ -163,6 +163,25 @@ void testShadowBits(Test& test) {
     }
 }
 
+// ---- lanes ---------------------------------------------------------------------------------------
+
+void testLanes(Test& test) {
+    for (const char* technique : {"agaa", "sbaa"}) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.config.technique = technique;
+        parts.config.samples = 8;
+        parts.config.generationTier = AGAA_TIER_GBUFFER;
+        parts.measurement.lanes = AGAA_LANES_SAMPLE_SUBGROUP;
+        parts.caps.subgroupSize = 8;
+        const std::string what = std::string(technique) + " with AGAA_LANES_SAMPLE_SUBGROUP and subgroupSize = ";
+        expectAccepted(test, parts, what + "8");
+        for (const uint32_t size : {0u, 4u, 128u}) {
+            parts.caps.subgroupSize = size;
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what + std::to_string(size), "lanes");
+        }
+    }
+}
+
 // ---- debug views ---------------------------------------------------------------------------------
 
 struct DebugRow {
@@ -247,6 +266,7 @@ void addHostFunctionCases(Suite& suite) {
     suite.core("AGAA_TIER_FRAGMENTS/AGAA_ERROR_UNSUPPORTED", testFragments);
     suite.core("AgaaShadowFunction.shadows/range", testShadowBits);
     suite.core("AGAA_FETCH_NOT_ALL_DRAWS/AGAA_ERROR_UNSUPPORTED", testNotAllDraws);
+    suite.core("AgaaLanes/AGAA_ERROR_UNSUPPORTED", testLanes);
     suite.core("AgaaDebugView/AGAA_ERROR_UNSUPPORTED", testDebugViews);
     suite.core("AgaaDebugView/AGAA_ERROR_UNSUPPORTED/folded_roughness", testWidened);
 }
