@@ -172,7 +172,11 @@ TEST(GroupedPlan, ExtensionsOfTheHostsCodeFollowTheVersion) {
     spec.chained = &fetch;
     const std::string both = std::string("#line 1\n") + fetch.glslExtensions + "\n#line 100000\n#line 1\n" +
                              shadow.glslExtensions + "\n#line 100000\n#define ";
-    const Pass pass = planFor(spec, fourSampleDevice()).passes.back();
+    AgaaDeviceCaps device = fourSampleDevice();
+    const std::string subgroups = passGlsl(planFor(spec, device).passes.back());
+    EXPECT_NE(subgroups.find("shuffle : require\n" + both), std::string::npos) << subgroups.substr(0, 500);
+    device.subgroupSize = 0; // the pass needs no extensions of its own
+    const Pass pass = planFor(spec, device).passes.back();
     EXPECT_NE(passGlsl(pass).find("#version 450\n" + both), std::string::npos) << passGlsl(pass).substr(0, 500);
     EXPECT_NE(passGlslForOpenGl(pass, 430).find("#version 430\n" + both), std::string::npos);
     EXPECT_EQ(pass.compute().hostCodeOrigin, "AgaaFetchFunction::glsl and ::glslExtensions with "
