@@ -56,11 +56,11 @@ bool isLargest(const HardConfiguration& configuration) {
 
 Finding likeWhole(const Rendered& frame) {
     // msaa shades each fragment at a place inside of it, and highlights of a mirror change within a pixel.
-    return differenceFromOther(frame, frame.configuration.technique == "msaa" ? 0.05 : 1.0 / 255);
+    return differenceFromOther(frame, frame.configuration.technique == "msaa" ? 0.026 : 1.0 / 255);
 }
 // dcaa merges the duplicates of a pixel with few surfaces, and the order of merging changes.
 Finding likeOnce(const Rendered& frame) {
-    return frame.configuration.technique == "dcaa" ? differenceFromOther(frame, 0.2) : bitsOfOther(frame);
+    return frame.configuration.technique == "dcaa" ? differenceFromOther(frame, 0.18) : bitsOfOther(frame);
 }
 Finding likeUntranslated(const Rendered& frame) { return differenceFromOther(frame, 1.0 / 255); }
 // The edges of the scene have a contrast of 0.16. At most two edges cross a column of samples at once. "sbaa" shades a

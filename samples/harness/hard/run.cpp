@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
@@ -37,6 +38,13 @@ Errors errorsOf(const Image& image, const Image& reference) {
     errors.mseTm /= double(image.rgb.size());
     errors.meanError = std::fabs(sum - expected) / std::max(expected, 1e-9);
     return errors;
+}
+
+// The standard error of the reference's mean, by its mean. The channels of a pixel share their noise.
+double meanErrorOf(const Reference& reference) {
+    const size_t count = reference.image.rgb.size();
+    const double sum = std::accumulate(reference.image.rgb.begin(), reference.image.rgb.end(), 0.0);
+    return std::sqrt(3 * reference.splitHalfMse * double(count)) / std::max(sum, 1e-9);
 }
 
 uint64_t nonFiniteOf(const Image& image) {
@@ -241,7 +249,7 @@ private:
         // The reference has an error of its own.
         result.referenceMseTm = reference.splitHalfMseTm;
         result.maxMseTm = frame.maxMseTm[shading] + 4 * result.referenceMseTm;
-        result.maxMeanError = frame.maxMeanError[shading];
+        result.maxMeanError = frame.maxMeanError[shading] + 4 * meanErrorOf(reference);
         const auto other = others.find(result.job.configuration);
         if (other != others.end()) {
             rendered.other = &other->second;
