@@ -44,13 +44,17 @@ uint agaa_summed() { return agaa_aggregateSamples; }
 #endif
 
 float agaa_meanOf(uint field) {
-    uint bits = agaa_fieldBits(field);
-    if (bits == 0u)
-        return 0.0;
-    if (agaa_isUnfilteredField(field))
-        return agaa_meanOfSum(agaa_field(field), 1u, bits);
-    return agaa_isSignedField(field) ? agaa_signedMeanOfSum(agaa_sum(field), agaa_summed(), bits)
-                                     : agaa_meanOfSum(agaa_sum(field), agaa_summed(), bits);
+    const uint bits = agaa_fieldBits(field);
+    float mean = 0.0;
+    if (bits != 0u) {
+        if (agaa_isUnfilteredField(field))
+            mean = agaa_meanOfSum(agaa_field(field), 1u, bits);
+        else if (agaa_isSignedField(field))
+            mean = agaa_signedMeanOfSum(agaa_sum(field), agaa_summed(), bits);
+        else
+            mean = agaa_meanOfSum(agaa_sum(field), agaa_summed(), bits);
+    }
+    return mean;
 }
 
 agaa_Stored agaa_storedMeans() {

@@ -3,12 +3,15 @@
 #define AGAA_UNPACKING_GLSL
 #include "aggregate/packing.glsl"
 
+// spirv-opt inlines functions with one return.
 float agaa_unpack(uint field) {
-    uint bits = agaa_fieldBits(field);
-    if (bits == 0u)
-        return 0.0;
-    uint code = bitfieldExtract(agaa_packed[field & 0xFFu], int(field >> 8u & 0xFFu), int(bits));
-    return agaa_isSignedField(field) ? agaa_signedMeanOfSum(code, 1u, bits) : agaa_meanOfSum(code, 1u, bits);
+    const uint bits = agaa_fieldBits(field);
+    float value = 0.0;
+    if (bits != 0u) {
+        const uint code = bitfieldExtract(agaa_packed[field & 0xFFu], int(field >> 8u & 0xFFu), int(bits));
+        value = agaa_isSignedField(field) ? agaa_signedMeanOfSum(code, 1u, bits) : agaa_meanOfSum(code, 1u, bits);
+    }
+    return value;
 }
 
 agaa_Stored agaa_unpackSurface() {

@@ -81,11 +81,13 @@ layout(AGAA_BINDING_GBUFFER3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
 
 agaa_Stored agaa_fetched; // the sample fetched last; absent channels are 0
 
+// spirv-opt inlines functions with one return.
 float agaa_sourceValue(float texel, uint source) {
-    uint bits = agaa_fieldBits(source);
-    if (!agaa_isSignedField(source))
-        return bits != 0u ? texel : 0.0;
-    return agaa_fromSignedCode(uint(texel * float(agaa_maxCode(bits)) + 0.5), bits);
+    const uint bits = agaa_fieldBits(source);
+    float value = bits != 0u ? texel : 0.0;
+    if (agaa_isSignedField(source))
+        value = agaa_fromSignedCode(uint(texel * float(agaa_maxCode(bits)) + 0.5), bits);
+    return value;
 }
 
 // Returns false where the sample has no geometry.
