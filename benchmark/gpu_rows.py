@@ -36,6 +36,11 @@ def rows():
     found += [Row("dcaa", 64, 4, tier) for tier in ("material-lists", "interlock", "raster-order")]
     found += [dataclasses.replace(row, way="vertex pulling", more=("--expand", "pulling"))
               for row in (Row("dcaa", 64, 4, "lists"), Row("dcaa", 64, 4, "material-lists"), Row("agaa", 64, 4, "fragments"))]
+    for n in (8, 32):
+        found += [dataclasses.replace(row, way=f"lanes {lanes}", more=("--lanes", lanes))
+                  for row in (Row("agaa", n, preset="accurate", tier="ids"), Row("agaa", n, 2, "gbuffer"),
+                              Row("agaa", n, 2, "post-depth-atomics"), Row("sbaa", n, 2, "post-depth-atomics"))
+                  for lanes in ("pixel", "shared", "subgroup")]
     for n in (16, 32, 4):
         found += [Row(technique, n) for technique in ("ssaa", "simple_complex", "msaa")]
         found += [Row("agaa", n, 2, "ids"), Row("agaa", n, preset="accurate", tier="ids"), Row("agaa", n, 2, "gbuffer"),
