@@ -181,6 +181,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc,
 Context::~Context() { destroyObjects(); }
 
 void Context::createObjects() {
+    bufferFill.emplace(gl, !(caps.flags & AGAA_DEVICE_SOFTWARE));
     gl.CreateSamplers(1, &shadowSampler);
     requireObject(gl, shadowSampler, "glCreateSamplers");
     label(GL_SAMPLER, shadowSampler, "agaa shadow sampler");
@@ -217,6 +218,7 @@ void Context::createObjects() {
 }
 
 void Context::destroyObjects() {
+    bufferFill.reset();
     gl.DeleteSamplers(1, &shadowSampler);
     gl.DeleteSamplers(1, &texelSampler);
     gl.DeleteSamplers(1, &linearSampler);

@@ -4,6 +4,7 @@
 #include "agaa_gl.h"
 #include "core/abi/handles.h"
 #include "core/glsl/host_glsl.h"
+#include "gl/buffer_fill.h"
 #include "gl/host_bindings.h"
 #include "gl/program_cache.h"
 #include "gl/state_guard.h"
@@ -44,6 +45,7 @@ public:
     void* stateUser;
     std::optional<StateGuard> guard;          // of all states that frames change
     std::optional<HostBindings> hostBindings; // with AGAA_GL_STATE_CALLBACKS
+    std::optional<BufferFill> bufferFill;
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
     uint32_t timestampBits = 64; // width of the driver's counter
     GLuint shadowSampler = 0;

@@ -167,23 +167,13 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
     }
 }
 
-// glClearNamedBufferData would read a value through the host's pixel unpacking state. Without a value it writes 0.
-static void fillBuffer(const GladGLContext& gl, GLuint buffer, uint64_t bytes, uint32_t value) {
-    if (value == 0) {
-        gl.ClearNamedBufferSubData(buffer, GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-        return;
-    }
-    gl.NamedBufferSubData(buffer, 0, sizeof value, &value);
-    for (uint64_t done = sizeof value; done < bytes; done *= 2)
-        gl.CopyNamedBufferSubData(buffer, buffer, 0, GLintptr(done), GLsizeiptr(std::min(done, bytes - done)));
-}
-
 void View::runTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     if (pass.kind() == PassKind::Fill) {
         const FillPart& fill = pass.fill();
         const GLuint buffer = resources->buffer(fill.destination, slot);
-        fillBuffer(gl, buffer, fill.bytes ? fill.bytes : plan.resources[fill.destination].bytes, fill.value);
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.emptyFramebuffer);
+        context.bufferFill->fill(buffer, fill.bytes ? fill.bytes : plan.resources[fill.destination].bytes, fill.value);
         const uint32_t stamp = stampOf(frameIndex);
         if (fill.stampOffset != noStamp)
             gl.NamedBufferSubData(buffer, GLintptr(fill.stampOffset), sizeof stamp, &stamp);

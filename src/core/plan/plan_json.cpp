@@ -3,6 +3,7 @@
 #include "core/base/names.h"
 #include "core/plan/access.h"
 #include "core/plan/plan.h"
+#include "core/plan/traffic.h"
 #include "core/view/lanes.h"
 
 #include <charconv>
@@ -162,6 +163,12 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
                 w.value(plan.resources[access.resource].name);
         w.close(']');
     }
+    w.key("traffic");
+    w.open('{');
+    for (const auto& [id, bytes] : trafficOf(plan, pass))
+        if (bytes > 0)
+            w.field(plan.resources[id].name.c_str(), bytes);
+    w.close('}');
     const bool isDraw = pass.kind() == PassKind::HostDraw;
     w.strings("extensions", isDraw ? pass.draw().extensions : std::vector<std::string>());
     if (isDraw) {

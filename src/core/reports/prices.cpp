@@ -2,7 +2,7 @@
 
 #include "core/base/checked.h"
 #include "core/base/error.h"
-#include "core/plan/access.h"
+#include "core/plan/traffic.h"
 #include "core/view/effects.h"
 #include "core/view/technique.h"
 
@@ -77,51 +77,11 @@ uint64_t sampleBits(const Plan& plan) {
     return bits;
 }
 
-struct Traffic {
-    bool reads = false, writes = false;
-};
-
-Traffic trafficOf(const Access& access, const Pass& pass) {
-    switch (access.use) {
-    case Use::Uniform:
-    case Use::StorageRead:
-    case Use::Fetch:
-    case Use::CopyFrom:
-        return {.reads = true};
-    case Use::StorageWrite: // it may read, too
-    case Use::ImageWrite:
-    case Use::Color:
-    case Use::FetchedColor:
-    case Use::CopyTo:
-        return {.writes = true};
-    case Use::Depth:
-        return {.reads = !pass.draw().clearsDepth, .writes = pass.draw().state.depthWrite != 0};
-    case Use::Indirect: // both access only a few words
-    case Use::Condition:
-        break;
-    }
-    return {};
-}
-
 uint64_t trafficBytes(const Plan& plan) {
     uint64_t total = 0;
-    for (const Pass& pass : plan.passes) {
-        std::map<ResourceId, Traffic> surfaces;
-        for (const Access& access : accessesOf(pass)) {
-            const Traffic traffic = trafficOf(access, pass);
-            Traffic& surface = surfaces[access.resource];
-            surface.reads |= traffic.reads;
-            surface.writes |= traffic.writes;
-        }
-        for (const auto& [id, traffic] : surfaces) {
-            const Resource& resource = plan.resources[id];
-            if (!resource.isPerPixel())
-                continue;
-            const bool isPart = pass.kind() == PassKind::Fill && pass.fill().bytes > 0;
-            const uint64_t bytes = isPart ? pass.fill().bytes : resource.bytes;
-            total = checkedAdd(total, checkedMultiply(bytes, uint64_t(traffic.reads) + traffic.writes));
-        }
-    }
+    for (const Pass& pass : plan.passes)
+        for (const auto& [id, bytes] : trafficOf(plan, pass))
+            total = checkedAdd(total, bytes);
     return total;
 }
 

@@ -1,0 +1,31 @@
+// Fills buffers with a word.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <cstdint>
+
+namespace agaa::gl {
+
+class BufferFill {
+public:
+    // byShader: a compute shader fills if it compiles. A driver of a GPU clears buffers 60 times slower than Vulkan's
+    // does; software devices clear fast.
+    BufferFill(const GladGLContext& gl, bool byShader);
+    ~BufferFill();
+    BufferFill(const BufferFill&) = delete;
+    BufferFill& operator=(const BufferFill&) = delete;
+
+    // Fills the first bytes of a buffer, a multiple of 4. The caller issues barriers for stores before the call as for
+    // glBufferSubData; the words are visible to all later commands. A shader changes the program and the storage
+    // binding of the aggregates, and must not run while textures of the draw framebuffer are bound.
+    void fill(GLuint buffer, uint64_t bytes, uint32_t value) const;
+
+private:
+    void fillByShader(GLuint buffer, uint64_t bytes, uint32_t value) const;
+
+    const GladGLContext& gl_;
+    GLuint program_ = 0; // 0: glClearNamedBufferSubData and copies fill
+};
+
+} // namespace agaa::gl
