@@ -27,7 +27,6 @@ class KnownMiss(typing.NamedTuple):
 KNOWN_MISSES = [KnownMiss(*row) for row in [
     # pass, configurations, VGPRs, spilled VGPRs, bytes of scratch
     ("aggregate and shade", "* fragments n=*", 208, 0, 1824),
-    ("merge fragments", "dcaa *", 104, 0, 480),
     ("shade first samples", "adaptive ids n=32", 84, 0, 512),
     ("shade fragments", "dcaa exact *", 152),
     ("shade further samples", "adaptive * n=16", 168),

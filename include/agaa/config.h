@@ -338,7 +338,11 @@ typedef enum AgaaDebugView {
 
 /* The lanes of compute passes that group the samples of pixels: those of "agaa", except the tier FRAGMENTS, and of
  * "sbaa". The image and the counters do not depend on the value. A value that the device cannot run fails with
- * AGAA_ERROR_UNSUPPORTED. Notes of the plan name the choice of AUTO and its reason. */
+ * AGAA_ERROR_UNSUPPORTED. Notes of the plan name the choice of AUTO and its reason.
+ *
+ * "dcaa", tiers FRAGMENT_LISTS and MATERIAL_LISTS: the pass that merges fragments has one lane per pixel. PIXEL keeps
+ * the surfaces of a pixel in an array of the lane, the other lanes keep them in shared memory. Both need no subgroups.
+ * AUTO is PIXEL on AGAA_DEVICE_SOFTWARE, and on devices with too little shared memory. */
 typedef enum AgaaLanes {
     AGAA_LANES_AUTO = 0,            /* PIXEL on AGAA_DEVICE_SOFTWARE and with one sample, otherwise the last of the
                                        others that runs */
@@ -376,7 +380,7 @@ typedef struct AgaaMeasurement {
     uint32_t shadingCost; /* lighting is evaluated this many times, [1, 64] */
     uint32_t debugView;   /* AgaaDebugView */
     uint32_t seeds;       /* AgaaSeeds of "agaa" */
-    uint32_t lanes;       /* AgaaLanes of "agaa" and "sbaa" */
+    uint32_t lanes;       /* AgaaLanes of "agaa", "sbaa" and "dcaa" */
     uint64_t flags;       /* AGAA_MEASURE_… */
 } AgaaMeasurement;
 #define AGAA_MEASUREMENT_INIT                                                                                          \

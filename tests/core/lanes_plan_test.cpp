@@ -1,4 +1,4 @@
-// The choice of the lanes of passes that group the samples of pixels.
+// The choice of the lanes of passes that group the samples of pixels, and of the memory of passes that merge fragments.
 #include "plan_support.h"
 
 #include "core/base/embedded.h"
@@ -95,10 +95,9 @@ TEST(Lanes, AForcedChoiceRunsOrFails) {
 }
 
 TEST(Lanes, OtherTechniquesDoNotUseTheSetting) {
-    for (const char* technique : {"ssaa", "adaptive", "dcaa", "fxaa"}) {
-        ViewSpec spec = specWith(AGAA_LANES_AUTO, AGAA_LANES_SAMPLE_SUBGROUP, AGAA_TIER_AUTO);
+    for (const char* technique : {"ssaa", "adaptive", "fxaa"}) {
+        ViewSpec spec = specWith(4, AGAA_LANES_SAMPLE_SUBGROUP, AGAA_TIER_AUTO);
         spec.technique = technique;
-        spec.samples = std::string_view(technique) == "dcaa" ? 64 : 4;
         const Plan plan = planFor(spec, deviceWith(0));
         EXPECT_EQ(plan.view.lanes, AGAA_LANES_AUTO) << technique;
         EXPECT_EQ(noteOf(plan), "") << technique;
@@ -127,6 +126,62 @@ TEST(Lanes, PassesAreCompiledForTheChoice) {
         }
         EXPECT_EQ(passes, 2u);
     }
+}
+
+ViewSpec mergingSpec(uint32_t samples, uint32_t surfaces, AgaaLanes lanes, AgaaTier tier) {
+    ViewSpec spec = specWith(samples, lanes, tier);
+    spec.technique = "dcaa";
+    spec.aggregates = surfaces;
+    return spec;
+}
+
+// Returns whether the pass that merges fragments has its surfaces in shared memory.
+bool mergesInSharedMemory(const Plan& plan) {
+    const auto pass = std::ranges::find(plan.passes, "merge fragments", &Pass::name);
+    const ComputePart& program = pass->compute();
+    EXPECT_FALSE(program.fullSubgroups);
+    EXPECT_EQ(embeddedSpirv(program.shader).empty(), plan.view.generationTier == AGAA_TIER_FRAGMENT_LISTS);
+    const bool isShared = program.defines.find("#define AGAA_SHARED_SURFACES 1") != std::string::npos;
+    EXPECT_TRUE(program.shader.ends_with(isShared ? "k1" : "k0")) << program.shader;
+    return isShared;
+}
+
+TEST(Lanes, SurfacesOfMergingAreInSharedMemoryOfGpus) {
+    struct Row {
+        AgaaDeviceCaps caps;
+        AgaaLanes lanes;
+        uint32_t samples, surfaces;
+        bool isShared;
+        const char* words; // of the note
+    };
+    const AgaaDeviceCaps software = deviceWith(8, 32768, AGAA_DEVICE_SOFTWARE);
+    const Row rows[] = {
+        {deviceWith(0), AGAA_LANES_AUTO, 64, 4, true, "in shared memory."},
+        {software, AGAA_LANES_AUTO, 64, 4, false, "software"},
+        {deviceWith(0), AGAA_LANES_PIXEL, 64, 4, false, "AgaaMeasurement::lanes"},
+        {software, AGAA_LANES_SAMPLE_SHARED, 64, 4, true, "AgaaMeasurement::lanes"},
+        {software, AGAA_LANES_SAMPLE_SUBGROUP, 128, 8, true, "AgaaMeasurement::lanes"},
+        {deviceWith(0, 16384), AGAA_LANES_AUTO, 128, 7, true, "in shared memory."},
+        {deviceWith(0, 16384), AGAA_LANES_AUTO, 128, 8, false,
+         "have 16384 bytes of shared memory, and 16640 are needed."},
+    };
+    for (const AgaaTier tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS})
+        for (const Row& row : rows) {
+            const Plan plan = planFor(mergingSpec(row.samples, row.surfaces, row.lanes, tier), row.caps);
+            EXPECT_EQ(mergesInSharedMemory(plan), row.isShared) << noteOf(plan);
+            EXPECT_NE(noteOf(plan).find(row.words), std::string::npos) << noteOf(plan);
+            EXPECT_TRUE(noteOf(plan).ends_with('.')) << noteOf(plan);
+        }
+    const std::string message = messageOf(mergingSpec(128, 8, AGAA_LANES_SAMPLE_SHARED, AGAA_TIER_FRAGMENT_LISTS),
+                                          deviceWith(0, 16384), AGAA_ERROR_UNSUPPORTED);
+    EXPECT_NE(message.find("AgaaMeasurement::lanes cannot run: workgroups of the device have 16384 bytes"),
+              std::string::npos)
+        << message;
+}
+
+TEST(Lanes, MergingWithoutListsDoesNotUseTheSetting) {
+    ViewSpec spec = mergingSpec(64, 4, AGAA_LANES_SAMPLE_SHARED, AGAA_TIER_FRAGMENT_INTERLOCK);
+    EXPECT_EQ(noteOf(planFor(spec, deviceWith(0, 16384))), "");
 }
 
 TEST(Lanes, WordsOfLanesTakeRoomFromTheList) {

@@ -1,5 +1,5 @@
-// Passes that group samples with one lane per pixel and per sample: images and counters are equal bit for bit. Each
-// graphics API instantiates these.
+// Passes that group samples with one lane per pixel and per sample, and passes that merge fragments in arrays and in
+// shared memory: images and counters are equal bit for bit. Each graphics API instantiates these.
 #pragma once
 
 #include "shown.h"
@@ -20,12 +20,16 @@ struct LaneRow {
     const char* preset = ""; // it sets c
     bool isMixed = false;    // each third triangle is not fetched
     uint32_t seeds = AGAA_SEEDS_MAXIMIN;
+    uint32_t merge = AGAA_MERGE_VISIBLE; // of dcaa
+    uint32_t ndf = AGAA_NDF_TOKSVIG;     // of dcaa
+
+    bool isMerging() const { return std::strcmp(technique, "dcaa") == 0; }
 };
 
 inline std::ostream& operator<<(std::ostream& out, const LaneRow& row) {
     return out << row.technique << ' ' << agaaTierName(row.tier) << " n=" << row.n << " c=" << row.c << ' '
                << row.preset << " flags=" << row.flags << (row.isMixed ? " some unfetched" : "")
-               << " seeds=" << row.seeds;
+               << " seeds=" << row.seeds << " merge=" << row.merge << " ndf=" << row.ndf;
 }
 
 template <class Host> class LaneCases : public testing::Test {
@@ -44,6 +48,8 @@ protected:
         settings.config.flags |= row.flags;
         settings.config.measurement.seeds = row.seeds;
         settings.config.measurement.lanes = lanes;
+        settings.config.coverage.merge = row.merge;
+        settings.config.ndf = row.ndf;
         const bool hasShadow = *row.preset;
         settings.facts.shadowMapCount = hasShadow;
         AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
@@ -69,10 +75,13 @@ protected:
         return show(context, settings, shot);
     }
 
-    // Compares the variants of a row. Returns their number.
+    // Compares the variants of a row, which must merge in full pixels if it is one of dcaa. Returns their number.
     uint32_t compareLanes(const LaneRow& row) {
         const Shown pixel = render(row, AGAA_LANES_PIXEL);
         EXPECT_GT(pixel.counters.aggregates, pixel.counters.shadedPixels * (row.c > 1)) << row;
+        if (row.isMerging()) {
+            EXPECT_GT(pixel.counters.mergedSecond + pixel.counters.discarded, 0u) << row;
+        }
         uint32_t variants = 1;
         for (const AgaaLanes lanes : {AGAA_LANES_SAMPLE_SHARED, AGAA_LANES_SAMPLE_SUBGROUP}) {
             if (lanes == AGAA_LANES_SAMPLE_SUBGROUP && context.caps().subgroupSize < std::bit_ceil(row.n))
@@ -106,6 +115,15 @@ protected:
             compareLanes({"agaa", AGAA_TIER_IDS, n, 4, 0, "balanced", true});
     }
 
+    // Each row has other numbers of samples and surfaces, another rule and another tier.
+    void compareMerging(uint32_t n, uint32_t surfaces, uint32_t merge) {
+        const bool isEven = surfaces % 2 == 0;
+        LaneRow row{"dcaa", isEven ? AGAA_TIER_FRAGMENT_LISTS : AGAA_TIER_MATERIAL_LISTS, n, surfaces};
+        row.merge = merge;
+        row.ndf = surfaces % 3 == 0 ? AGAA_NDF_LEAN : AGAA_NDF_TOKSVIG;
+        compareLanes(row);
+    }
+
     typename Host::Context context;
 };
 TYPED_TEST_SUITE_P(LaneCases);
@@ -133,6 +151,16 @@ TYPED_TEST_P(LaneCases, ShowTheSameWithAllSettings) {
     this->compareLanes({"sbaa", AGAA_TIER_GBUFFER, 32, 3});
 }
 
-REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings);
+// OpenGL has the shaders of Vulkan: it compares one row.
+TYPED_TEST_P(LaneCases, MergeTheSame) {
+    this->compareMerging(64, 4, AGAA_MERGE_VISIBLE);
+    if (!TypeParam::runsAll)
+        return;
+    this->compareMerging(32, 1, AGAA_MERGE_VISIBLE);
+    this->compareMerging(128, 3, AGAA_MERGE_PAPER);
+    this->compareMerging(64, 5, AGAA_MERGE_NONE);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, MergeTheSame);
 
 } // namespace agaa::test

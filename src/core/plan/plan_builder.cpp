@@ -155,6 +155,7 @@ bool PlanBuilder::isSwitchedOn(Switch which) const {
     case Switch::Classified:
     case Switch::Represented:
     case Switch::InTargets:
+    case Switch::SharedSurfaces:
         break; // the caller of compute() sets them
     }
     return false;

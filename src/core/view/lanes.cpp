@@ -15,6 +15,9 @@ constexpr uint32_t otherBytes = 12544;
 
 constexpr uint32_t lanesPerGroup = 64;
 
+// The number of bytes of shared memory of a pass that merges fragments besides the surfaces: its counts.
+constexpr uint32_t mergeBytes = 256;
+
 // Returns why the lanes cannot run, or an empty text.
 std::string obstacle(const AgaaDeviceCaps& caps, uint32_t samples, AgaaLanes lanes) {
     if (lanes == AGAA_LANES_SAMPLE_SUBGROUP) {
@@ -80,6 +83,24 @@ LaneChoice chooseLanes(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t fo
         reasons += (reasons.empty() ? "" : ", and ") + reason;
     }
     return {AGAA_LANES_PIXEL, "one per pixel, because " + reasons + "."};
+}
+
+SurfaceMemory chooseSurfaceMemory(const AgaaDeviceCaps& caps, uint32_t bytes, uint32_t forced) {
+    const bool isForced = forced != AGAA_LANES_AUTO;
+    if (isForced ? forced == AGAA_LANES_PIXEL : caps.flags & AGAA_DEVICE_SOFTWARE)
+        return {.reason = std::string("one per pixel, with an array of surfaces, ") +
+                          (isForced ? "as AgaaMeasurement::lanes demands."
+                                    : "because software devices access arrays of a lane fast.")};
+    const uint32_t needed = bytes + mergeBytes;
+    if (caps.maxSharedBytes < needed) {
+        const std::string reason = format("workgroups of the device have %u bytes of shared memory, and %u are needed",
+                                          caps.maxSharedBytes, needed);
+        return {.canRun = !isForced,
+                .reason = (isForced ? "" : "one per pixel, with an array of surfaces, because ") + reason + "."};
+    }
+    return {.isShared = true,
+            .reason = std::string("one per pixel, with surfaces in shared memory") +
+                      (isForced ? ", as AgaaMeasurement::lanes demands." : ".")};
 }
 
 } // namespace agaa

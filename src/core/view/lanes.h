@@ -1,4 +1,4 @@
-// The choice of the lanes of passes that group the samples of pixels.
+// The choice of the lanes of passes that group the samples of pixels, and of the memory of passes that merge fragments.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -15,6 +15,17 @@ struct LaneChoice {
 
 // Returns the forced choice or, with AUTO, the best that the device runs.
 LaneChoice chooseLanes(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced);
+
+struct SurfaceMemory {
+    bool isShared = false; // memory of the workgroup, otherwise an array of each lane
+    bool canRun = true;    // false: the device lacks the memory that is forced
+    std::string reason;    // one sentence
+};
+
+// Returns where a pass with one lane per pixel keeps the surfaces that fragments merge into: with AUTO in the fastest
+// memory of the device, and with a value that has one lane per sample in shared memory.
+// bytes    Size of the surfaces of a workgroup.
+SurfaceMemory chooseSurfaceMemory(const AgaaDeviceCaps& caps, uint32_t bytes, uint32_t forced);
 
 // Returns the bytes of shared memory that a workgroup needs for the words of its lanes
 // (src/shaders/aggregate/lane_words.glsl).

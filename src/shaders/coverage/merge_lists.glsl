@@ -27,7 +27,7 @@ void agaa_mergePixel(uvec2 pixel) {
     for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {
         uint base = agaa_surfaceBase(pixel, a);
         if (a < agaa_keptCount)
-            agaa_storeSurface(base, agaa_kept[a]);
+            agaa_storeKept(base, a);
         for (uint word = 0u; word < AGAA_MASK_WORDS && a >= agaa_keptCount; ++word)
             agaa_setSurfaces(base + word, 0u);
     }

@@ -11,6 +11,27 @@
 #include "coverage/surface_spread.glsl"
 #include "aggregate/unpacking.glsl"
 
+// agaa_roundKept() rounds a kept surface to the values that memory has. agaa_storeKept() stores it without its
+// material.
+#if AGAA_SHARED_SURFACES
+#include "coverage/shared_surfaces.glsl"
+void agaa_roundKept(uint i) {} // agaa_keep() has rounded it
+vec3 agaa_roundedNormal(uint i) { return agaa_keptAt(i).normal; }
+#else
+void agaa_roundKept(uint i) { agaa_keep(i, agaa_asStored(agaa_keptAt(i))); }
+vec3 agaa_roundedNormal(uint i) { return agaa_asStored(agaa_keptAt(i)).normal; }
+
+void agaa_storeKept(uint base, uint i) {
+    agaa_CoveredSurface s = agaa_keptAt(i);
+    for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
+        agaa_setSurfaces(base + word, s.mask[word]);
+    agaa_StoredPlane stored = agaa_storedPlaneOf(s);
+    agaa_setSurfaces(base + AGAA_DEPTH_WORD, floatBitsToUint(stored.depth));
+    agaa_setSurfaces(base + AGAA_SLOPE_WORD, stored.slopes);
+    agaa_setSurfaces(base + AGAA_NORMAL_WORD, agaa_packNormal(s.normal));
+}
+#endif
+
 // Returns the material of the surface whose first word is `base`.
 agaa_Stored agaa_loadMaterial(uint base) {
     for (uint w = 0u; w < AGAA_WORDS; ++w)
@@ -76,7 +97,8 @@ agaa_MergeRules agaa_mergeRules(uvec2 pixel, float depth) {
     return rules;
 }
 
-// Inserts a fragment. Materials and spreads of surfaces are in memory, everything else is in agaa_kept.
+// Inserts a fragment. Materials and spreads of surfaces are in memory, everything else is kept by
+// math/surface_merge.glsl.
 // s          Values as stored.
 // material   The fragment's material.
 // spread     The spread of its normals.
@@ -93,32 +115,23 @@ agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stor
         if (done.into == rules.limit) {
             material = agaa_mixMaterials(material, moving, done.moved, done.movedLength);
             if (AGAA_SPREAD_WORDS != 0u)
-                spread = agaa_mixSpreads(spread, moved, done.moved, agaa_asStored(agaa_kept[done.to]).normal);
+                spread = agaa_mixSpreads(spread, moved, done.moved, agaa_roundedNormal(done.to));
         } else {
             uint into = agaa_surfaceBase(pixel, done.into);
             agaa_mergeMaterial(into, moving, done.moved, done.movedLength);
-            agaa_keep(done.into, agaa_asStored(agaa_kept[done.into]));
+            agaa_roundKept(done.into);
             if (AGAA_SPREAD_WORDS != 0u)
-                agaa_mergeSpread(into, moved, done.moved, agaa_kept[done.into].normal);
+                agaa_mergeSpread(into, moved, done.moved, agaa_keptAt(done.into).normal);
         }
     }
     if (done.to != AGAA_NO_SURFACE) {
         uint to = agaa_surfaceBase(pixel, done.to);
         agaa_mergeMaterial(to, material, done.share, done.shareLength);
-        agaa_keep(done.to, agaa_asStored(agaa_kept[done.to]));
+        agaa_roundKept(done.to);
         if (AGAA_SPREAD_WORDS != 0u)
-            agaa_mergeSpread(to, spread, done.share, agaa_kept[done.to].normal);
+            agaa_mergeSpread(to, spread, done.share, agaa_keptAt(done.to).normal);
     }
     return done;
 }
 
-// Stores the surface without its material.
-void agaa_storeSurface(uint base, agaa_CoveredSurface s) {
-    for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
-        agaa_setSurfaces(base + word, s.mask[word]);
-    agaa_StoredPlane stored = agaa_storedPlaneOf(s);
-    agaa_setSurfaces(base + AGAA_DEPTH_WORD, floatBitsToUint(stored.depth));
-    agaa_setSurfaces(base + AGAA_SLOPE_WORD, stored.slopes);
-    agaa_setSurfaces(base + AGAA_NORMAL_WORD, agaa_packNormal(s.normal));
-}
 #endif

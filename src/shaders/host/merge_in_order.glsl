@@ -82,9 +82,9 @@ void agaa_mergeInOrder() {
     agaa_loadSurfaces(pixel);
     agaa_Insertion done = agaa_insertFragment(pixel, s, material, spread);
     if (done.from != AGAA_NO_SURFACE && done.into != agaa_aggregateLimit())
-        agaa_storeSurface(agaa_surfaceBase(pixel, done.into), agaa_kept[done.into]);
+        agaa_storeKept(agaa_surfaceBase(pixel, done.into), done.into);
     if (done.to != AGAA_NO_SURFACE)
-        agaa_storeSurface(agaa_surfaceBase(pixel, done.to), agaa_kept[done.to]);
+        agaa_storeKept(agaa_surfaceBase(pixel, done.to), done.to);
 }
 
 #if AGAA_IN_TARGETS

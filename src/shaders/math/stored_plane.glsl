@@ -98,13 +98,18 @@ rvec3 agaa_storedPlane(agaa_StoredPlane stored) {
     return rvec3(stored.depth, slopes.x, slopes.y);
 }
 
+// Returns the distances of the lowest and the highest depth from the depth at the anchor.
+rvec2 agaa_storedSides(agaa_StoredPlane stored) {
+    const rvec2 slopes = agaa_storedSlopes(stored.slopes);
+    const real whole = abs(slopes.x) + abs(slopes.y);
+    return rvec2(agaa_unpackSide((stored.slopes >> 22u) & 31u, whole), agaa_unpackSide(stored.slopes >> 27u, whole));
+}
+
 // Returns the depth at the anchor, and the distances of the lowest and the highest depth from it. anchor: as stored
 // with.
 rvec3 agaa_storedDepths(agaa_StoredPlane stored, rvec2 anchor) {
-    const rvec2 slopes = agaa_storedSlopes(stored.slopes);
-    const real whole = abs(slopes.x) + abs(slopes.y);
-    return rvec3(agaa_planeDepth(agaa_storedPlane(stored), anchor),
-                 agaa_unpackSide((stored.slopes >> 22u) & 31u, whole), agaa_unpackSide(stored.slopes >> 27u, whole));
+    const rvec2 sides = agaa_storedSides(stored);
+    return rvec3(agaa_planeDepth(agaa_storedPlane(stored), anchor), sides.x, sides.y);
 }
 
 // Returns the plane of a surface, with its range.

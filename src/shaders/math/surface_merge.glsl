@@ -4,13 +4,17 @@
 // merging, Ward 1963, "Hierarchical Grouping to Optimize an Objective Function".
 //
 // The surfaces are global; in C++ they are members of a struct. The caller has the attributes of surfaces and applies
-// the merges that agaa_insertSurface() returns to them.
+// the merges that agaa_insertSurface() returns to them. With AGAA_SHARED_SURFACES, coverage/shared_surfaces.glsl has
+// agaa_keep() and agaa_keptAt().
 #ifndef AGAA_MATH_SURFACE_MERGE_GLSL
 #define AGAA_MATH_SURFACE_MERGE_GLSL
 #include "coverage_pattern.glsl"
 #include "facet_normal.glsl"
 #include "real.glsl"
 
+#ifndef AGAA_SHARED_SURFACES
+#define AGAA_SHARED_SURFACES 0
+#endif
 #define AGAA_MAX_KEPT 8u
 #define AGAA_NO_SURFACE 0xFFFFFFFFu
 
@@ -60,13 +64,23 @@ agaa_Insertion agaa_noInsertion() {
                           false, false, 0u);
 }
 
-agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last is the current fragment
 uint agaa_keptCount = 0u;
+
+#if AGAA_SHARED_SURFACES
+void agaa_keep(uint i, agaa_CoveredSurface s);
+agaa_CoveredSurface agaa_keptAt(uint i);
+#else
+agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last is the current fragment
 
 // Stores a surface. It precedes all readers, because compilers warn about reads that precede writes.
 void agaa_keep(uint i, agaa_CoveredSurface s) {
     agaa_kept[i] = s;
 }
+
+agaa_CoveredSurface agaa_keptAt(uint i) {
+    return agaa_kept[i];
+}
+#endif
 
 // Returns the lowest and highest depth that the range allows.
 rvec2 agaa_rangeOf(agaa_CoveredSurface s) {
@@ -114,6 +128,14 @@ rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 
     return rvec2(share, min(sqrt(l2), real(1.0)));
 }
 
+// Like agaa_mergeKept(), into surface i.
+rvec2 agaa_mergeInto(uint i, agaa_CoveredSurface b, uvec4 mask, uint countA, uint countB, real slack) {
+    agaa_CoveredSurface a = agaa_keptAt(i);
+    const rvec2 merged = agaa_mergeKept(a, b, mask, countA, countB, slack);
+    agaa_keep(i, a);
+    return merged;
+}
+
 // Returns the cosine between the normals that the rule compares.
 real agaa_alignment(agaa_CoveredSurface a, agaa_CoveredSurface b, agaa_MergeRules rules) {
     if (rules.rule == AGAA_RULE_VISIBLE)
@@ -128,9 +150,9 @@ uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
     real closest = real(0.0);
     real largest = real(0.0);
     for (uint i = 0u; i < agaa_keptCount; ++i) {
-        const real cosine = agaa_alignment(agaa_kept[i], s, rules);
-        const real overlap = agaa_depthOverlap(agaa_kept[i], s);
-        const bool mayMerge = rules.rule != AGAA_RULE_VISIBLE || agaa_coverageCount(agaa_kept[i].mask & s.mask) == 0u;
+        const real cosine = agaa_alignment(agaa_keptAt(i), s, rules);
+        const real overlap = agaa_depthOverlap(agaa_keptAt(i), s);
+        const bool mayMerge = rules.rule != AGAA_RULE_VISIBLE || agaa_coverageCount(agaa_keptAt(i).mask & s.mask) == 0u;
         if (mayMerge && cosine > rules.cosine && overlap + rules.slack >= real(0.0) &&
             (best == AGAA_NO_SURFACE || cosine > closest || (cosine == closest && overlap > largest))) {
             best = i;
@@ -143,18 +165,18 @@ uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
 
 // Returns whether a is in front of b by the depths at the pixel's centre. The lower index breaks ties.
 bool agaa_isInFront(uint a, uint b) {
-    const real x = agaa_centreDepth(agaa_kept[a]);
-    const real y = agaa_centreDepth(agaa_kept[b]);
+    const real x = agaa_centreDepth(agaa_keptAt(a));
+    const real y = agaa_centreDepth(agaa_keptAt(b));
     return x < y || (x == y && a < b);
 }
 
 // Returns the samples of surface i that none of `count` surfaces covers in front of it. This is the coarse depth
 // resolve.
 uvec4 agaa_visibleOf(uint i, uint count) {
-    uvec4 visible = agaa_kept[i].mask;
+    uvec4 visible = agaa_keptAt(i).mask;
     for (uint k = 0u; k < count; ++k) {
         if (k != i && agaa_isInFront(k, i))
-            visible = visible & ~agaa_kept[k].mask;
+            visible = visible & ~agaa_keptAt(k).mask;
     }
     return visible;
 }
@@ -182,7 +204,7 @@ uint agaa_findOverlapping(uint i, uint count, real slack) {
     uint best = AGAA_NO_SURFACE;
     real largest = real(0.0);
     for (uint k = 0u; k < count; ++k) {
-        const real overlap = agaa_depthOverlap(agaa_kept[k], agaa_kept[i]);
+        const real overlap = agaa_depthOverlap(agaa_keptAt(k), agaa_keptAt(i));
         if (k != i && overlap + slack >= real(0.0) && (best == AGAA_NO_SURFACE || overlap > largest)) {
             best = k;
             largest = overlap;
@@ -198,9 +220,9 @@ uint agaa_findMergeTarget(uint i, uint count) {
     bool bestOverlaps = false;
     real highest = real(0.0);
     for (uint k = 0u; k < count; ++k) {
-        const real overlap = agaa_depthOverlap(agaa_kept[k], agaa_kept[i]);
+        const real overlap = agaa_depthOverlap(agaa_keptAt(k), agaa_keptAt(i));
         const bool overlaps = overlap >= real(0.0);
-        const real rank = overlaps ? dot(agaa_kept[k].normal, agaa_kept[i].normal) : overlap;
+        const real rank = overlaps ? dot(agaa_keptAt(k).normal, agaa_keptAt(i).normal) : overlap;
         if (k != i && (best == AGAA_NO_SURFACE || (overlaps && !bestOverlaps) ||
                        (overlaps == bestOverlaps && rank > highest))) {
             best = k;
@@ -219,8 +241,8 @@ uint agaa_findCheapest(uint count) {
     real lowest = real(0.0);
     for (uint i = 0u; i < count; ++i) {
         const uint target = agaa_findMergeTarget(i, count);
-        const real apart = agaa_depthOverlap(agaa_kept[i], agaa_kept[target]) >= real(0.0) ? real(0.0) : real(0.5);
-        const real unlike = real(1.1) - dot(agaa_kept[i].normal, agaa_kept[target].normal) + apart;
+        const real apart = agaa_depthOverlap(agaa_keptAt(i), agaa_keptAt(target)) >= real(0.0) ? real(0.0) : real(0.5);
+        const real unlike = real(1.1) - dot(agaa_keptAt(i).normal, agaa_keptAt(target).normal) + apart;
         const real cost = real(agaa_coverageCount(agaa_visibleOf(i, count))) * unlike;
         if (i == 0u || cost <= lowest) {
             cheapest = i;
@@ -230,7 +252,7 @@ uint agaa_findCheapest(uint count) {
     return cheapest;
 }
 
-// Inserts the fragment agaa_kept[rules.limit] into a full pixel.
+// Inserts the fragment agaa_keptAt(rules.limit) into a full pixel.
 agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     agaa_Insertion done = agaa_noInsertion();
     done.isSecond = true;
@@ -238,7 +260,7 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     const bool byCost = rules.rule == AGAA_RULE_VISIBLE;
     const uint least = byCost ? agaa_findCheapest(count) : agaa_findLeast(count);
     const uvec4 visible = agaa_visibleOf(least, count);
-    const uvec4 moving = byCost ? visible : agaa_kept[least].mask;
+    const uvec4 moving = byCost ? visible : agaa_keptAt(least).mask;
     uint target = AGAA_NO_SURFACE;
     if (rules.rule != AGAA_RULE_NONE && agaa_coverageCount(moving) != 0u)
         target = byCost ? agaa_findMergeTarget(least, count) : agaa_findOverlapping(least, count, rules.slack);
@@ -246,8 +268,8 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
         done.lost = agaa_coverageCount(visible);
     } else {
         done.hasMerged = true;
-        const uvec4 targetMask = byCost ? agaa_visibleOf(target, count) : agaa_kept[target].mask;
-        const rvec2 merged = agaa_mergeKept(agaa_kept[target], agaa_kept[least], moving, agaa_coverageCount(targetMask),
+        const uvec4 targetMask = byCost ? agaa_visibleOf(target, count) : agaa_keptAt(target).mask;
+        const rvec2 merged = agaa_mergeInto(target, agaa_keptAt(least), moving, agaa_coverageCount(targetMask),
                                             agaa_coverageCount(moving), rules.slack);
         if (least == rules.limit) {
             done.to = target;
@@ -261,7 +283,7 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
         }
     }
     if (least != rules.limit) {
-        agaa_keep(least, agaa_kept[rules.limit]);
+        agaa_keep(least, agaa_keptAt(rules.limit));
         done.to = least;
     }
     return done;
@@ -273,7 +295,7 @@ agaa_Insertion agaa_insertSurface(agaa_CoveredSurface s, agaa_MergeRules rules) 
     done.to = agaa_findAligned(s, rules);
     if (done.to != AGAA_NO_SURFACE) {
         done.hasMerged = true;
-        const rvec2 merged = agaa_mergeKept(agaa_kept[done.to], s, s.mask, agaa_coverageCount(agaa_kept[done.to].mask),
+        const rvec2 merged = agaa_mergeInto(done.to, s, s.mask, agaa_coverageCount(agaa_keptAt(done.to).mask),
                                             agaa_coverageCount(s.mask), rules.slack);
         done.share = merged.x;
         done.shareLength = merged.y;

@@ -7,6 +7,7 @@
 #include "core/plan/techniques/fragment_lists.h"
 #include "core/plan/techniques/generation_tiers.h"
 #include "core/plan/techniques/techniques.h"
+#include "core/view/lanes.h"
 
 #include <algorithm>
 
@@ -124,6 +125,18 @@ ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
     return kept;
 }
 
+// Returns whether the surfaces are in shared memory while lists are merged.
+bool mergesInSharedMemory(PlanBuilder& b) {
+    constexpr uint32_t lanes = 64;
+    const uint32_t words = b.view().samples / 32 + AGAA_SHARED_PLANE_WORDS;
+    const uint32_t bytes = 4 * lanes * b.view().aggregates * words;
+    const SurfaceMemory memory = chooseSurfaceMemory(b.caps(), bytes, b.view().measurement.lanes);
+    if (!memory.canRun)
+        fail(AGAA_ERROR_UNSUPPORTED, "AgaaMeasurement::lanes cannot run: " + memory.reason);
+    b.note("lanes: " + memory.reason);
+    return memory.isShared;
+}
+
 ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
     const FragmentLists lists = drawScene(b, surfaces, 0);
     if (hasBatches(b.view()))
@@ -132,7 +145,8 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
     // All passes of a repetition must be in one segment.
     Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION,
                             carriesMaterials(b.view()) ? "merge_carried" : "merge_fragments",
-                            hasBatches(b.view()) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
+                            hasBatches(b.view()) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION,
+                            {{Switch::SharedSurfaces, mergesInSharedMemory(b)}});
     readLists(b, lists, surfaces, merge);
     merge.constants[AGAA_MERGE_RULE] = b.view().coverage.merge;
     b.bind(merge, slot::Surfaces, BindingType::StorageBuffer, kept, true);
