@@ -31,7 +31,6 @@ KNOWN_MISSES = [KnownMiss(*row) for row in [
     ("shade fragments", "dcaa exact *", 152),
     ("shade further samples", "adaptive * n=16", 168),
     ("shade further samples", "adaptive * n=32", 152, 0, 512),
-    ("shade single primitives", "* ids n=32*", 144, 0, 304),
 ]]
 
 

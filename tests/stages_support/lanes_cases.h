@@ -22,6 +22,7 @@ struct LaneRow {
     uint32_t seeds = AGAA_SEEDS_MAXIMIN;
     uint32_t merge = AGAA_MERGE_VISIBLE; // of dcaa
     uint32_t ndf = AGAA_NDF_TOKSVIG;     // of dcaa
+    bool hasTwoLit = false;              // a second lit shadow, which frames lack
 
     bool isMerging() const { return std::strcmp(technique, "dcaa") == 0; }
 };
@@ -51,10 +52,12 @@ protected:
         settings.config.coverage.merge = row.merge;
         settings.config.ndf = row.ndf;
         const bool hasShadow = *row.preset;
-        settings.facts.shadowMapCount = hasShadow;
+        settings.facts.shadowMapCount = hasShadow + row.hasTwoLit;
+        if (row.hasTwoLit)
+            settings.config.aggregation.litShadows = 3;
         AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
         function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return fract(3.0 * position.x); }";
-        function.shadows = 1;
+        function.shadows = row.hasTwoLit ? 3 : 1;
         if (hasShadow)
             settings.chained = &function;
         if (row.isMixed)
@@ -87,15 +90,18 @@ protected:
             if (lanes == AGAA_LANES_SAMPLE_SUBGROUP && context.caps().subgroupSize < std::bit_ceil(row.n))
                 continue;
             ++variants;
-            const Shown other = render(row, lanes);
-            size_t different = 0;
-            for (size_t i = 0; i < pixel.rgb.size(); i += 3)
-                different += std::memcmp(&pixel.rgb[i], &other.rgb[i], 3 * sizeof(float)) != 0;
-            EXPECT_EQ(different, 0u) << "pixels of " << row << " with lanes " << lanes;
-            EXPECT_EQ(std::memcmp(&pixel.counters, &other.counters, sizeof pixel.counters), 0)
-                << "counters of " << row << " with lanes " << lanes;
+            expectSameShown(pixel, render(row, lanes), row, lanes);
         }
         return variants;
+    }
+
+    static void expectSameShown(const Shown& one, const Shown& other, const LaneRow& row, AgaaLanes lanes) {
+        size_t different = 0;
+        for (size_t i = 0; i < one.rgb.size(); i += 3)
+            different += std::memcmp(&one.rgb[i], &other.rgb[i], 3 * sizeof(float)) != 0;
+        EXPECT_EQ(different, 0u) << "pixels of " << row << " with lanes " << lanes;
+        EXPECT_EQ(std::memcmp(&one.counters, &other.counters, sizeof one.counters), 0)
+            << "counters of " << row << " with lanes " << lanes;
     }
 
     // Each c has the tier ids and one of three others in turn.
@@ -161,6 +167,17 @@ TYPED_TEST_P(LaneCases, MergeTheSame) {
     this->compareMerging(64, 5, AGAA_MERGE_NONE);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, MergeTheSame);
+// Pixels of one primitive with several materials add each of them to the means when it is fetched. With two lit shadows
+// they keep the materials.
+TYPED_TEST_P(LaneCases, MeansOfKeptMaterialsAreTheSame) {
+    LaneRow row{"agaa", AGAA_TIER_IDS, 16, 4, 0, "accurate"};
+    const Shown added = this->render(row, AGAA_LANES_PIXEL);
+    EXPECT_GT(added.counters.shadowTaps, added.counters.shadingEvents);
+    row.hasTwoLit = true;
+    this->expectSameShown(added, this->render(row, AGAA_LANES_PIXEL), row, AGAA_LANES_PIXEL);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, MergeTheSame,
+                            MeansOfKeptMaterialsAreTheSame);
 
 } // namespace agaa::test

@@ -105,8 +105,43 @@ void agaa_setLight(uint i, float light) { agaa_sampleLight[i] = light; }
 float agaa_lightOf(uint i) { return agaa_sampleLight[i]; }
 #endif
 
-// The includer defines this function. It returns sums over a pixel's samples, each times scale * agaa_lightOf() it.
+// Looks the shadow up at samples, without counting the taps. Returns the sum of agaa_lightOf() them.
+float agaa_lightSamples(uvec2 pixel, uint map, uint mask) {
+    float sum = 0.0;
+    for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        float light = agaa_uncountedTap(map, agaa_toShadingSpace(agaa_viewPositionOf(pixel, i)));
+        agaa_setLight(i, light);
+        sum += light;
+    }
+    return sum;
+}
+
+// Returns the samples of a mask that lights with the shadow reach.
+uint agaa_reachedSamples(uint map, uint mask) { return (agaa_reachingShadows >> map & 1u) != 0u ? mask : 0u; }
+
+// Returns the scale of weights whose sum becomes 1, or 0 without light.
+float agaa_lightScale(float sum) { return sum > 1e-6 ? 1.0 / sum : 0.0; }
+
+// The part of an aggregate that the light of a shadow reaches.
+struct agaa_LitPart {
+    float light;      // sum over the samples
+    agaa_Means means; // over the samples, weighted by their light
+};
+
+// An includer that defines AGAA_HAS_LIT_PART defines agaa_litPart(). Others define agaa_litMeans(), which returns sums
+// over a pixel's samples, each times scale * agaa_lightOf() it.
+// mask   Samples that the light reaches.
+#ifdef AGAA_HAS_LIT_PART
+agaa_LitPart agaa_litPart(uvec2 pixel, uint map, uint mask);
+#else
 agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale);
+
+agaa_LitPart agaa_litPart(uvec2 pixel, uint map, uint mask) {
+    float light = agaa_lightSamples(pixel, map, mask);
+    return agaa_LitPart(light, agaa_litMeans(pixel, mask, agaa_lightScale(light)));
+}
+#endif
 
 // Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these
 // samples.
@@ -114,17 +149,10 @@ void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map) {
         if (!agaa_isLitShadow(map))
             continue;
-        float sum = 0.0;
-        const uint reached = (agaa_reachingShadows >> map & 1u) != 0u ? mask : 0u;
-        for (uint rest = reached; rest != 0u; rest &= rest - 1u) {
-            uint i = uint(findLSB(rest));
-            float light = agaa_shadowTap(map, agaa_toShadingSpace(agaa_viewPositionOf(pixel, i)));
-            agaa_setLight(i, light);
-            sum += light;
-        }
-        agaa_visibility[map] = sum / float(bitCount(mask));
-        agaa_litSurface[map] =
-            agaa_surfaceOfMeans(agaa_litMeans(pixel, reached, sum > 1e-6 ? 1.0 / sum : 0.0), false, toEye);
+        const uint reached = agaa_reachedSamples(map, mask);
+        agaa_LitPart lit = agaa_litPart(pixel, map, reached);
+        agaa_countTaps(map, uint(bitCount(reached)));
+        agaa_setLitSurface(map, lit.light / float(bitCount(mask)), agaa_surfaceOfMeans(lit.means, false, toEye));
     }
 }
 #endif

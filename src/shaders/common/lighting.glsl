@@ -65,17 +65,27 @@ float agaa_mapTap(uint map, vec3 p) {
 float agaa_mapTap(uint map, vec3 p) { return 1.0; }
 #endif
 
-// Returns the share of light that shadow `map` lets reach p. A shadow that the frame lacks returns 1 and costs no tap.
-float agaa_shadowTap(uint map, vec3 p) {
+// Counts taps of shadow `map`. A shadow that the frame lacks costs none.
+void agaa_countTaps(uint map, uint taps) {
+    agaa_count(AGAA_COUNT_SHADOW_TAPS, agaa_lightBuffer.shadows[map].layerCount != 0u ? taps : 0u);
+}
+
+// Returns agaa_shadowTap() and does not count the tap.
+float agaa_uncountedTap(uint map, vec3 p) {
     if (agaa_lightBuffer.shadows[map].layerCount == 0u)
         return 1.0;
-    agaa_count(AGAA_COUNT_SHADOW_TAPS, 1u);
 #ifdef AGAA_HOST_SHADOWS
     uint bad = 0u;
     if ((AGAA_HOST_SHADOWS >> map & 1u) != 0u)
         return agaa_sanitise(agaaHostShadow(map, p), 0.0, 1.0, bad);
 #endif
     return agaa_mapTap(map, p);
+}
+
+// Returns the share of light that shadow `map` lets reach p. A shadow that the frame lacks returns 1.
+float agaa_shadowTap(uint map, vec3 p) {
+    agaa_countTaps(map, 1u);
+    return agaa_uncountedTap(map, p);
 }
 
 float agaa_visibility[AGAA_MAX_SHADOW_MAPS]; // by shadow map, of the current surface
@@ -91,6 +101,19 @@ bool agaa_isLitShadow(uint map) {
     return false;
 #endif
 }
+
+#if AGAA_LIT
+// visibility   Share of the light of a lit shadow that reaches the current surface.
+// surface      The part of the surface that it reaches.
+void agaa_setLitSurface(uint map, float visibility, agaa_Surface surface) {
+    // The index is a constant, so that surfaces stay in registers: compilers do not unroll loops over maps.
+    for (uint k = 0u; k < AGAA_MAX_SHADOW_MAPS; ++k)
+        if (agaa_isLitShadow(k) && map == k) {
+            agaa_visibility[k] = visibility;
+            agaa_litSurface[k] = surface;
+        }
+}
+#endif
 
 uint agaa_reachingShadows = (1u << AGAA_MAX_SHADOW_MAPS) - 1u; // mask of those whose lights reach the current surface
 

@@ -5,6 +5,7 @@
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES
 #define AGAA_SAMPLE_WORDS AGAA_SAMPLES
 #define AGAA_GROUPING_WORDS 0u
+#define AGAA_HAS_LIT_PART
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
@@ -24,20 +25,65 @@ shared uint agaa_singlePixel[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE]; // x | 
 shared uint agaa_singleId[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 shared uint agaa_singleSamples[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 
-// The materials of the current pixel, by groups of samples that share one.
+// The materials of the current pixel. A pixel of one material keeps it in registers. With several materials and one lit
+// shadow or none, each is added to the means when it is fetched, and the light is looked up before. Only several lit
+// shadows keep several materials, in an array of the lane, which GPUs have in device memory.
 AgaaMaterial agaa_materials[(AGAA_MAX_SAMPLES + AGAA_MATERIAL_SAMPLES - 1u) / AGAA_MATERIAL_SAMPLES];
+agaa_Means agaa_pixelMeans;
+
+bool agaa_hasOneMaterial() { return !agaa_hasFineMaterials() || AGAA_MATERIAL_SAMPLES >= AGAA_MAX_SAMPLES; }
+
+bool agaa_keepsMaterials() {
+#if AGAA_LIT
+    if ((AGAA_LIT_SHADOWS & AGAA_LIT_SHADOWS - 1u) != 0u)
+        return true;
+#endif
+    return agaa_hasOneMaterial();
+}
+
+// Returns the index of the material of sample i.
+uint agaa_materialOf(uint i) { return agaa_hasOneMaterial() ? 0u : i / AGAA_MATERIAL_SAMPLES; }
+
+#if AGAA_LIT
+agaa_LitPart agaa_pixelLit; // of the one lit shadow
+uint agaa_reached = 0u;     // samples that its light reaches
+#endif
+
+// Prepares agaa_addMaterial(). Taps are not counted, because the pixel may be deferred.
+void agaa_beginMeans(uvec2 pixel, uint samples) {
+    agaa_pixelMeans = agaa_noMeans();
+#if AGAA_LIT
+    agaa_lightPixel(pixel);
+    const uint map = uint(findLSB(AGAA_LIT_SHADOWS));
+    agaa_reached = agaa_reachedSamples(map, samples);
+    agaa_pixelLit = agaa_LitPart(agaa_lightSamples(pixel, map, agaa_reached), agaa_noMeans());
+#endif
+}
+
+void agaa_addMaterialOf(AgaaMaterial m, uint group, uint samples) {
+    agaa_addPrimitive(agaa_pixelMeans, m, group, 1.0 / float(bitCount(samples)), false);
+#if AGAA_LIT
+    if (agaa_reached != 0u)
+        agaa_addPrimitive(agaa_pixelLit.means, m, group, agaa_lightScale(agaa_pixelLit.light), true);
+#endif
+}
 
 // Fetches the materials of a pixel. Returns whether shading normals are those of one surface. It precedes all readers
 // of agaa_materials, because compilers warn about reads that precede writes.
 bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
-    AgaaPrimitive primitive = agaa_primitive(id);
     vec3 normal = vec3(0.0);
     float least = 1.0;
+    if (!agaa_keepsMaterials())
+        agaa_beginMeans(pixel, samples);
     for (uint left = samples; left != 0u;) {
         uint first = uint(findLSB(left));
         uint group = left & agaa_materialGroup(first);
-        AgaaMaterial m = agaa_fetchMaterial(primitive, pixel, group);
-        agaa_materials[first / AGAA_MATERIAL_SAMPLES] = m;
+        // The primitive is fetched for each material: to keep it takes more registers than GPUs have for four waves.
+        AgaaMaterial m = agaa_fetchMaterial(agaa_primitive(id), pixel, group);
+        if (agaa_keepsMaterials())
+            agaa_materials[agaa_materialOf(first)] = m;
+        else
+            agaa_addMaterialOf(m, group, samples);
         bool isFirst = left == samples;
         left &= ~group;
         if (AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u)
@@ -50,19 +96,25 @@ bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
     return least >= agaa_frame.surfaceCosine || AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u;
 }
 
+// Returns means over kept materials.
 agaa_Means agaa_meansOf(uint samples, float scale, bool isLit) {
     agaa_Means m = agaa_noMeans();
     for (uint left = samples; left != 0u;) {
         uint first = uint(findLSB(left));
         uint group = left & agaa_materialGroup(first);
-        agaa_addPrimitive(m, agaa_materials[first / AGAA_MATERIAL_SAMPLES], group, scale, isLit);
+        agaa_addPrimitive(m, agaa_materials[agaa_materialOf(first)], group, scale, isLit);
         left &= ~group;
     }
     return m;
 }
 
 #if AGAA_LIT
-agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(mask, scale, true); }
+agaa_LitPart agaa_litPart(uvec2 pixel, uint map, uint mask) {
+    if (!agaa_keepsMaterials())
+        return agaa_pixelLit;
+    float light = agaa_lightSamples(pixel, map, mask);
+    return agaa_LitPart(light, agaa_meansOf(mask, agaa_lightScale(light), true));
+}
 #endif
 
 void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
@@ -73,7 +125,9 @@ void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
     agaa_count(AGAA_COUNT_PRIMITIVES, 1u);
     agaa_shownPrimitives = 1u;
     agaa_PixelWork work = agaa_countedWork(pixel, 1u, samples, 0u);
-    agaa_Means means = agaa_meansOf(samples, 1.0 / float(bitCount(samples)), false);
+    agaa_Means means = agaa_pixelMeans;
+    if (agaa_keepsMaterials())
+        means = agaa_meansOf(samples, 1.0 / float(bitCount(samples)), false);
     vec3 color = agaa_shadeMeans(pixel, agaa_locateAggregate(pixel, samples), 0u, samples, means, false);
     agaa_writePixel(pixel, work, color);
 }
