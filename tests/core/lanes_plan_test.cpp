@@ -184,6 +184,33 @@ TEST(Lanes, MergingWithoutListsDoesNotUseTheSetting) {
     EXPECT_EQ(noteOf(planFor(spec, deviceWith(0, 16384))), "");
 }
 
+// Lists of fragments have no variant with subgroup operations.
+TEST(Lanes, ListsUseSharedMemory) {
+    const auto listSpec = [](const char* technique, AgaaLanes lanes) {
+        const bool isDcaa = std::string_view(technique) == "dcaa";
+        ViewSpec spec = specWith(64, lanes, isDcaa ? AGAA_TIER_AUTO : AGAA_TIER_FRAGMENTS);
+        spec.technique = technique;
+        spec.change = [=](TechniqueConfig& config) {
+            config.measurement.lanes = lanes;
+            config.coverage.flags |= isDcaa ? AGAA_COVERAGE_EXACT : 0;
+        };
+        return spec;
+    };
+    for (const char* technique : {"agaa", "dcaa"}) {
+        SCOPED_TRACE(technique);
+        const auto lanesOf = [&](AgaaLanes lanes, uint64_t flags) {
+            return planFor(listSpec(technique, lanes), deviceWith(64, 16384, flags)).view.lanes;
+        };
+        EXPECT_EQ(lanesOf(AGAA_LANES_AUTO, 0), AGAA_LANES_SAMPLE_SHARED);
+        EXPECT_EQ(lanesOf(AGAA_LANES_AUTO, AGAA_DEVICE_SOFTWARE), AGAA_LANES_PIXEL);
+        EXPECT_EQ(lanesOf(AGAA_LANES_PIXEL, 0), AGAA_LANES_PIXEL);
+        EXPECT_EQ(lanesOf(AGAA_LANES_SAMPLE_SHARED, AGAA_DEVICE_SOFTWARE), AGAA_LANES_SAMPLE_SHARED);
+        const std::string message = messageOf(listSpec(technique, AGAA_LANES_SAMPLE_SUBGROUP), deviceWith(64),
+                                              AGAA_ERROR_UNSUPPORTED);
+        EXPECT_NE(message.find("no variant with subgroup operations"), std::string::npos) << message;
+    }
+}
+
 TEST(Lanes, WordsOfLanesTakeRoomFromTheList) {
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = "";

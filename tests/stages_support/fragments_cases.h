@@ -55,21 +55,27 @@ TYPED_TEST_P(FragmentsCases, MeansWeighFragmentsByTheirSamples) {
     }
 }
 
-// A pixel of more fragments than are clustered, on two layers of different colour and normal. What is not clustered
-// joins its layer: were layers mixed, a mean colour would meet a mean normal.
-TYPED_TEST_P(FragmentsCases, ManyFragmentsJoinTheNearestAggregate) {
+// Returns triangles with more fragments in a pixel than are clustered, on two layers of different colour and normal.
+// The projection must be pixelOrthographic(48, 32, 10).
+inline std::vector<Triangle> manyFragments() {
     Material layers[2];
     layers[0].diffuse = {0.9f, 0.1f, 0.1f, 1}, layers[1].diffuse = {0.1f, 0.2f, 0.9f, 1};
     const glm::vec3 normals[2] = {glm::normalize(glm::vec3(0.5f, 0.2f, 1)), glm::normalize(glm::vec3(-0.6f, 0.3f, 1))};
-    Shot shot;
+    std::vector<Triangle> triangles;
     for (int i = 0; i < 64; ++i) {
         Material& material = layers[i & 1];
         material.specular = glm::vec4(0);
         material.normal = glm::vec4(normals[i & 1], 1);
         const float x = 20 + float(i) / 64;
         for (const Triangle& t : rectangle(x, 10, x + 1.0f / 64, 11, i & 1 ? 8.0f : 2.0f, material))
-            shot.triangles.push_back(t);
+            triangles.push_back(t);
     }
+    return triangles;
+}
+
+// Fragments that are not clustered join their layer: were layers mixed, a mean colour would meet a mean normal.
+TYPED_TEST_P(FragmentsCases, ManyFragmentsJoinTheNearestAggregate) {
+    const Shot shot{.triangles = manyFragments()};
     for (const uint32_t samples : {64u, 128u}) {
         SCOPED_TRACE(samples);
         ViewSettings exact = exactSettings(samples), grouped = fragmentsSettings(samples, 2);
@@ -85,6 +91,33 @@ TYPED_TEST_P(FragmentsCases, ManyFragmentsJoinTheNearestAggregate) {
     }
 }
 
+// Returns triangles of four layers, whose 65 or more fragments of each pixel of a tile all show. The projection must be
+// pixelOrthographic(48, 32, 10).
+inline std::vector<Triangle> manyFragmentsInTile() {
+    const glm::vec3 normals[] = {{0.5f, 0.2f, 1}, {-0.6f, 0.3f, 1}, {0.1f, -0.7f, 1}, {0, 0.8f, 1}};
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 512; ++i) {
+        Material material;
+        material.normal = glm::vec4(glm::normalize(normals[i & 3]), 1);
+        const float x = 8 + float(i) / 64;
+        for (const Triangle& t : rectangle(x, 8, x + 1.0f / 64, 16, 2.0f + 2 * float(i & 3), material))
+            triangles.push_back(t);
+    }
+    return triangles;
+}
+
+// Software rasterisers of Mesa end all loops of an invocation after 65535 iterations in total.
+TYPED_TEST_P(FragmentsCases, LoopsOverManyFragmentsEnd) {
+    ViewSettings settings = fragmentsSettings(128, 4);
+    settings.projection = pixelOrthographic(48, 32, 10);
+    const Shown shown = this->render(settings, {.triangles = manyFragmentsInTile()});
+    EXPECT_EQ(shown.counters.lostFragments, 0u);
+    EXPECT_GE(shown.counters.primitives, 64u * 65);
+    EXPECT_EQ(shown.counters.visible, 64u * 128);
+    EXPECT_EQ(shown.counters.shadingEvents, 64u * 4);
+    EXPECT_EQ(shown.counters.materials, shown.counters.primitives);
+}
+
 // Where settings ask for what no list of fragments gives.
 TYPED_TEST_P(FragmentsCases, SaysWhatItDoesNotDo) {
     ViewSettings batches = fragmentsSettings(64, 2), buffered = batches, few = batches;
@@ -97,6 +130,6 @@ TYPED_TEST_P(FragmentsCases, SaysWhatItDoesNotDo) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(FragmentsCases, MeansWeighFragmentsByTheirSamples, ManyFragmentsJoinTheNearestAggregate,
-                            SaysWhatItDoesNotDo);
+                            LoopsOverManyFragmentsEnd, SaysWhatItDoesNotDo);
 
 } // namespace agaa::test

@@ -2,6 +2,7 @@
 // shared memory: images and counters are equal bit for bit. Each graphics API instantiates these.
 #pragma once
 
+#include "fragments_cases.h"
 #include "shown.h"
 
 #include "core/abi/handles.h"
@@ -23,14 +24,19 @@ struct LaneRow {
     uint32_t merge = AGAA_MERGE_VISIBLE; // of dcaa
     uint32_t ndf = AGAA_NDF_TOKSVIG;     // of dcaa
     bool hasTwoLit = false;              // a second lit shadow, which frames lack
+    bool isExact = false;                // AGAA_COVERAGE_EXACT
+    bool hasManyFragments = false;       // manyFragmentsInTile() with c above 2, otherwise manyFragments()
 
-    bool isMerging() const { return std::strcmp(technique, "dcaa") == 0; }
+    bool isMerging() const { return std::strcmp(technique, "dcaa") == 0 && !isExact; }
+    // Passes over lists have no variant with subgroup operations.
+    bool isOfLists() const { return n >= 32 && (isExact || tier == AGAA_TIER_FRAGMENTS); }
 };
 
 inline std::ostream& operator<<(std::ostream& out, const LaneRow& row) {
     return out << row.technique << ' ' << agaaTierName(row.tier) << " n=" << row.n << " c=" << row.c << ' '
                << row.preset << " flags=" << row.flags << (row.isMixed ? " some unfetched" : "")
-               << " seeds=" << row.seeds << " merge=" << row.merge << " ndf=" << row.ndf;
+               << " seeds=" << row.seeds << " merge=" << row.merge << " ndf=" << row.ndf << (row.isExact ? " exact" : "")
+               << (row.hasManyFragments ? " many fragments" : "");
 }
 
 template <class Host> class LaneCases : public testing::Test {
@@ -51,6 +57,7 @@ protected:
         settings.config.measurement.lanes = lanes;
         settings.config.coverage.merge = row.merge;
         settings.config.ndf = row.ndf;
+        settings.config.coverage.flags |= row.isExact ? AGAA_COVERAGE_EXACT : 0;
         const bool hasShadow = *row.preset;
         settings.facts.shadowMapCount = hasShadow + row.hasTwoLit;
         if (row.hasTwoLit)
@@ -75,6 +82,12 @@ protected:
         shot.lights[0].shadowMap = hasShadow ? 0 : AGAA_NO_SHADOW;
         const AgaaDeviceCaps caps = context.caps();
         shot.triangles = settleTies(shot.triangles, caps);
+        if (row.hasManyFragments) {
+            settings.width = 48;
+            settings.height = 32;
+            settings.projection = pixelOrthographic(48, 32, 10);
+            shot.triangles = row.c > 2 ? manyFragmentsInTile() : manyFragments();
+        }
         return show(context, settings, shot);
     }
 
@@ -87,7 +100,8 @@ protected:
         }
         uint32_t variants = 1;
         for (const AgaaLanes lanes : {AGAA_LANES_SAMPLE_SHARED, AGAA_LANES_SAMPLE_SUBGROUP}) {
-            if (lanes == AGAA_LANES_SAMPLE_SUBGROUP && context.caps().subgroupSize < std::bit_ceil(row.n))
+            if (lanes == AGAA_LANES_SAMPLE_SUBGROUP &&
+                (row.isOfLists() || context.caps().subgroupSize < std::bit_ceil(row.n)))
                 continue;
             ++variants;
             expectSameShown(pixel, render(row, lanes), row, lanes);
@@ -139,10 +153,12 @@ TYPED_TEST_P(LaneCases, ShowTheSame) {
     for (const LaneRow& row :
          {LaneRow{"agaa", AGAA_TIER_POST_DEPTH_ATOMICS, 8, 4, 0, "", false, AGAA_SEEDS_SUM_OF_SQUARES},
           LaneRow{"agaa", AGAA_TIER_GBUFFER, 4, 3}, LaneRow{"agaa", AGAA_TIER_IDS, 8, 4, 0, "accurate"},
-          LaneRow{"sbaa", AGAA_TIER_GBUFFER, 8, 3}})
+          LaneRow{"sbaa", AGAA_TIER_GBUFFER, 8, 3},
+          LaneRow{.technique = "agaa", .tier = AGAA_TIER_FRAGMENTS, .n = 64, .c = 2, .hasManyFragments = true},
+          LaneRow{.technique = "dcaa", .tier = AGAA_TIER_MATERIAL_LISTS, .n = 64, .c = 1, .isExact = true}})
         variants += this->compareLanes(row);
     std::printf("%u variants, subgroups of %u lanes\n", variants, this->context.caps().subgroupSize);
-    EXPECT_GE(variants, 8u);
+    EXPECT_GE(variants, 12u);
 }
 
 // OpenGL has the shaders of Vulkan: it compares one n.
@@ -177,7 +193,26 @@ TYPED_TEST_P(LaneCases, MeansOfKeptMaterialsAreTheSame) {
     this->expectSameShown(added, this->render(row, AGAA_LANES_PIXEL), row, AGAA_LANES_PIXEL);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, MergeTheSame,
-                            MeansOfKeptMaterialsAreTheSame);
+TYPED_TEST_P(LaneCases, ShowTheSameFragmentsWithAllSettings) {
+    for (const uint32_t n : {32u, 64u, 128u}) {
+        for (uint32_t c = 1; c <= 4; ++c) {
+            this->compareLanes({"agaa", AGAA_TIER_FRAGMENTS, n, c, 0, "", false,
+                                c % 2 ? AGAA_SEEDS_MAXIMIN : AGAA_SEEDS_SUM_OF_SQUARES});
+            if (n > 32 && c > 1)
+                this->compareLanes({.technique = "agaa",
+                                    .tier = AGAA_TIER_FRAGMENTS,
+                                    .n = n,
+                                    .c = c,
+                                    .preset = c == 4 ? "balanced" : "",
+                                    .hasManyFragments = true});
+        }
+        this->compareLanes({"agaa", AGAA_TIER_FRAGMENTS, n, 4, AGAA_CONFIG_SPLIT_SURFACES, "accurate"});
+        for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS})
+            this->compareLanes({.technique = "dcaa", .tier = tier, .n = n, .c = 1, .isExact = true});
+    }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, ShowTheSameFragmentsWithAllSettings,
+                            MergeTheSame, MeansOfKeptMaterialsAreTheSame);
 
 } // namespace agaa::test

@@ -103,4 +103,17 @@ SurfaceMemory chooseSurfaceMemory(const AgaaDeviceCaps& caps, uint32_t bytes, ui
                       (isForced ? ", as AgaaMeasurement::lanes demands." : ".")};
 }
 
+LaneChoice chooseListLanes(const AgaaDeviceCaps& caps, bool groupsFragments, uint32_t forced) {
+    const char* const shared = groupsFragments ? "one per fragment that is grouped, with shared memory"
+                                               : "one per pixel, with values of samples in shared memory";
+    if (forced == AGAA_LANES_SAMPLE_SUBGROUP)
+        return {AGAA_LANES_AUTO, "passes over lists of fragments have no variant with subgroup operations."};
+    if (forced != AGAA_LANES_AUTO)
+        return {AgaaLanes(forced), format("%s, as AgaaMeasurement::lanes demands.",
+                                          forced == AGAA_LANES_PIXEL ? "one per pixel" : shared)};
+    if (caps.flags & AGAA_DEVICE_SOFTWARE)
+        return {AGAA_LANES_PIXEL, "one per pixel, because software devices access arrays of a lane fast."};
+    return {AGAA_LANES_SAMPLE_SHARED, format("%s.", shared)};
+}
+
 } // namespace agaa

@@ -27,6 +27,10 @@ struct SurfaceMemory {
 // bytes    Size of the surfaces of a workgroup.
 SurfaceMemory chooseSurfaceMemory(const AgaaDeviceCaps& caps, uint32_t bytes, uint32_t forced);
 
+// Returns the choice for passes over lists of fragments, as chooseLanes() does. All devices have their shared memory.
+// groupsFragments   The passes cluster fragments.
+LaneChoice chooseListLanes(const AgaaDeviceCaps& caps, bool groupsFragments, uint32_t forced);
+
 // Returns the bytes of shared memory that a workgroup needs for the words of its lanes
 // (src/shaders/aggregate/lane_words.glsl).
 uint32_t laneBytes(AgaaLanes lanes, uint32_t samples);

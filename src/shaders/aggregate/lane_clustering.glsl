@@ -153,6 +153,7 @@ struct agaa_LaneGroup {
     uint covered;   // the pixel's samples with geometry
     uint count;     // number of aggregates
     uint aggregate; // of this lane's sample
+    uint seeds;     // of several aggregates: the samples that founded them, 8 bits each
 };
 
 agaa_PixelSamples agaa_pixelOfLanes(agaa_LaneSample s, uint covered) {
@@ -205,6 +206,7 @@ void agaa_clusterLanes(inout agaa_LaneGroup group, agaa_LaneSample s, agaa_Pixel
             group.aggregate = id;
         }
         seeds |= seed << 8u * id;
+        group.seeds = seeds;
         group.count = more ? id + 1u : group.count;
         if (id + 1u < AGAA_AGGREGATES)
             candidate = agaa_farthestLane(takesPart, nearest, s, farthest);
@@ -218,6 +220,7 @@ agaa_LaneGroup agaa_groupLanes(agaa_LaneSample s, bool comparesShading) {
     group.covered = agaa_samplesWhere(s.isCovered);
     group.count = min(group.covered, 1u);
     group.aggregate = 0u;
+    group.seeds = 0u;
     if (AGAA_AGGREGATES == 1u)
         return group;
     agaa_syncLanes(); // the lanes have read the samples of the previous pixel

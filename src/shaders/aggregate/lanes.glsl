@@ -7,6 +7,18 @@
 #define AGAA_LANES_GLSL
 #include "aggregate/lane_words.glsl"
 
+#ifdef AGAA_VARIABLE_LANES
+// Pixels have different numbers of lanes, which the includer sets in each lane by agaa_setLanes(). Values are
+// exchanged through shared memory.
+uint agaa_pixelLanes = 1u;
+uint agaa_firstOfPixel = 0u;
+
+// first   The first of `count` neighbouring lanes, up to 32. A lane without a pixel is its own pixel.
+void agaa_setLanes(uint first, uint count) {
+    agaa_firstOfPixel = first;
+    agaa_pixelLanes = count;
+}
+#else
 // The number of lanes of a pixel: n, rounded up to a power of two.
 const uint agaa_pixelLanes = AGAA_SAMPLES <= 1u    ? 1u
                              : AGAA_SAMPLES <= 2u  ? 2u
@@ -16,6 +28,7 @@ const uint agaa_pixelLanes = AGAA_SAMPLES <= 1u    ? 1u
                                                    : 32u;
 // The number of pixels that a workgroup processes at a time.
 const uint agaa_pixelsAtOnce = 64u / agaa_pixelLanes;
+#endif
 
 #if AGAA_SUBGROUPS
 // APIs do not define how gl_LocalInvocationIndex maps to subgroups.
@@ -24,6 +37,10 @@ uint agaa_laneIndex() { return gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvo
 uint agaa_laneIndex() { return gl_LocalInvocationIndex; }
 #endif
 
+#ifdef AGAA_VARIABLE_LANES
+uint agaa_firstLane() { return agaa_firstOfPixel; }
+uint agaa_laneSample() { return agaa_laneIndex() - agaa_firstOfPixel; }
+#else
 // Returns the first lane of this lane's pixel.
 uint agaa_firstLane() { return agaa_laneIndex() & ~(agaa_pixelLanes - 1u); }
 
@@ -32,6 +49,7 @@ uint agaa_laneSample() { return agaa_laneIndex() & (agaa_pixelLanes - 1u); }
 
 // Returns the index of this lane's pixel in an iteration, [0, 63].
 uint agaa_lanePixel(uint iteration) { return iteration * agaa_pixelsAtOnce + agaa_laneIndex() / agaa_pixelLanes; }
+#endif
 
 #if AGAA_SUBGROUPS
 // Separates writes to the words of lanes from reads by other lanes of the pixel, and reads from later writes.
@@ -49,6 +67,11 @@ uint agaa_samplesWhere(bool condition) {
     uint first = gl_SubgroupInvocationID & ~(agaa_pixelLanes - 1u);
     uint word = first < 32u ? lanes.x : lanes.y;
     return word >> (first & 31u) & (0xFFFFFFFFu >> (32u - agaa_pixelLanes));
+}
+
+// Returns the value of the lane of sample i.
+vec3 agaa_ofSample(vec3 v, uint i) {
+    return subgroupShuffle(v, (gl_SubgroupInvocationID & ~(agaa_pixelLanes - 1u)) + i);
 }
 
 #define AGAA_OF_PIXEL(type, name, both)               \
@@ -84,15 +107,22 @@ bool agaa_anyLane(bool condition) {
 
 #define AGAA_EXCHANGED(lane, k) AGAA_LANE_WORD(lane, AGAA_GROUPING_WORDS - 3u + (k))
 
+// Returns the index of lane i of the pixel, or of its last lane. Loops over the lanes of a pixel read eight lanes per
+// iteration, because software rasterisers of Mesa end all loops of an invocation after 65535 iterations in total.
+uint agaa_laneIn(uint i) { return agaa_firstLane() + min(i, agaa_pixelLanes - 1u); }
+uint agaa_flagOf(uint i) { return AGAA_EXCHANGED(agaa_laneIn(i), 0u); }
+
 uint agaa_samplesWhere(bool condition) {
     AGAA_EXCHANGED(gl_LocalInvocationIndex, 0u) = condition ? 1u : 0u;
     barrier();
-    const uint first = agaa_firstLane();
     uint samples = 0u;
-    for (uint i = 0u; i < agaa_pixelLanes; ++i)
-        samples |= AGAA_EXCHANGED(first + i, 0u) << i;
+    for (uint i = 0u; i < agaa_pixelLanes; i += 8u)
+        samples |= (agaa_flagOf(i) | agaa_flagOf(i + 1u) << 1u | agaa_flagOf(i + 2u) << 2u | agaa_flagOf(i + 3u) << 3u |
+                    agaa_flagOf(i + 4u) << 4u | agaa_flagOf(i + 5u) << 5u | agaa_flagOf(i + 6u) << 6u |
+                    agaa_flagOf(i + 7u) << 7u)
+                   << i;
     barrier();
-    return samples;
+    return samples & (0xFFFFFFFFu >> (32u - agaa_pixelLanes));
 }
 
 void agaa_exchange(uint v) { AGAA_EXCHANGED(gl_LocalInvocationIndex, 0u) = v; }
@@ -114,20 +144,42 @@ void agaa_exchanged(uint lane, out vec3 v) {
     v = uintBitsToFloat(words);
 }
 
-#define AGAA_OF_PIXEL(type, name, both)               \
-    type name(type v) {                               \
-        agaa_exchange(v);                             \
-        barrier();                                    \
-        const uint first = agaa_firstLane();          \
-        type result;                                  \
-        agaa_exchanged(first, result);                \
-        for (uint i = 1u; i < agaa_pixelLanes; ++i) { \
-            type other;                               \
-            agaa_exchanged(first + i, other);         \
-            result = both(result, other);             \
-        }                                             \
-        barrier();                                    \
-        return result;                                \
+vec3 agaa_ofSample(vec3 v, uint i) {
+    agaa_exchange(v);
+    barrier();
+    vec3 result;
+    agaa_exchanged(agaa_firstLane() + i, result);
+    barrier();
+    return result;
+}
+
+#define AGAA_OF_PIXEL(type, name, both)                                           \
+    type name(type v) {                                                           \
+        agaa_exchange(v);                                                         \
+        barrier();                                                                \
+        type result;                                                              \
+        agaa_exchanged(agaa_firstLane(), result);                                 \
+        for (uint i = 1u; i < agaa_pixelLanes; i += 8u) {                         \
+            type others[8];                                                       \
+            agaa_exchanged(agaa_laneIn(i), others[0]);                            \
+            agaa_exchanged(agaa_laneIn(i + 1u), others[1]);                       \
+            agaa_exchanged(agaa_laneIn(i + 2u), others[2]);                       \
+            agaa_exchanged(agaa_laneIn(i + 3u), others[3]);                       \
+            agaa_exchanged(agaa_laneIn(i + 4u), others[4]);                       \
+            agaa_exchanged(agaa_laneIn(i + 5u), others[5]);                       \
+            agaa_exchanged(agaa_laneIn(i + 6u), others[6]);                       \
+            agaa_exchanged(agaa_laneIn(i + 7u), others[7]);                       \
+            result = both(result, others[0]);                                     \
+            result = i + 1u < agaa_pixelLanes ? both(result, others[1]) : result; \
+            result = i + 2u < agaa_pixelLanes ? both(result, others[2]) : result; \
+            result = i + 3u < agaa_pixelLanes ? both(result, others[3]) : result; \
+            result = i + 4u < agaa_pixelLanes ? both(result, others[4]) : result; \
+            result = i + 5u < agaa_pixelLanes ? both(result, others[5]) : result; \
+            result = i + 6u < agaa_pixelLanes ? both(result, others[6]) : result; \
+            result = i + 7u < agaa_pixelLanes ? both(result, others[7]) : result; \
+        }                                                                         \
+        barrier();                                                                \
+        return result;                                                            \
     }
 #endif
 

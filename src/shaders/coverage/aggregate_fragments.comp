@@ -1,10 +1,19 @@
 // Aggregates the fragments that a pixel shows and shades each aggregate once. This is the clustering of AGAA (section
 // 3.3) over visibility at coverage samples, which Wang et al. (I3D 2016) name as future work. Each fragment is
-// clustered as a sample at the centroid of the samples that show it.
+// clustered as a sample at the centroid of the samples that show it. A lane has a pixel; with AGAA_SAMPLE_LANES,
+// fragments are clustered with one lane per fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_LISTS_QUALIFIER coherent
 #define AGAA_SHOWN uint // head of the list
+#define AGAA_VISIBILITY_WORDS 32u
+#if AGAA_SAMPLE_LANES
+#define AGAA_SAMPLE_WORDS AGAA_VISIBILITY_WORDS
+#define AGAA_VARIABLE_LANES
+#define AGAA_MAX_SAMPLES 1
+#else
+#define AGAA_MAX_SAMPLES 33 // 32 clustered fragments and the current one
+#endif
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
@@ -14,170 +23,38 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/lighting.glsl"
 #include "common/output.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
-#include "common/tile.glsl"
-#define AGAA_MAX_SAMPLES 33 // 32 clustered fragments and the current one
-#include "aggregate/grouping.glsl"
+#include "common/events.glsl"
+#include "common/tile_pixels.glsl"
+#include "aggregate/pixel_samples.glsl"
+#include "math/sbaa_surfaces.glsl"
 #include "coverage/shown_fragments.glsl"
 #include "coverage/surface_position.glsl"
 #include "ids/fetched_means.glsl"
+#include "coverage/clustered_fragments.glsl"
+#if AGAA_SAMPLE_LANES
+#include "coverage/lane_fragments.glsl"
+#else
+#include "coverage/pixel_fragments.glsl"
+#endif
 
-const uint agaa_maxClustered = 32u;
-struct agaa_Gloss {
-    vec3 normal; // for shading
-    float alpha2;
-};
-agaa_Gloss agaa_itemGloss[AGAA_MAX_SAMPLES]; // where AGAA_GLOSS_WEIGHT is set
-uint agaa_itemFragment[AGAA_MAX_SAMPLES];
+shared uint agaa_heads[64]; // the first fragment of each pixel's list
 
-#define AGAA_AGGREGATE_OF_FRAGMENT (AGAA_PAYLOAD_AT + AGAA_KEPT_PLANE_WORDS)
-void agaa_setAggregate(uint record, uint a) { agaa_fragments.words[record + AGAA_AGGREGATE_OF_FRAGMENT] = a; }
-uint agaa_aggregateOf(uint record) { return agaa_fragments.words[record + AGAA_AGGREGATE_OF_FRAGMENT]; }
-
-// Returns the material at an offset from the pixel's centre. Its normal is that at the pixel's corner.
-AgaaMaterial agaa_fetchCovered(AgaaPrimitive p, uvec2 pixel, vec2 middle) {
-    agaa_evaluateAt(p, pixel, middle + 0.5);
-    AgaaMaterial m = agaa_evaluateMaterial(p);
-    m.normal -= (middle.x + 0.5) * m.normalDx + (middle.y + 0.5) * m.normalDy;
-    return m;
-}
-
-// Adds the fragment as number i of the clustered ones.
-void agaa_addFragment(inout agaa_PixelSamples samples, uvec2 pixel, uint i, uint fragment) {
-    uint record = agaa_record(fragment);
-    vec2 middle = agaa_coverageMiddle(agaa_maskOf(record), AGAA_SAMPLES);
-    float depth = agaa_deviceDepth(agaa_depthAt(agaa_keptPlane(record), middle));
-    AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
-    vec3 normal = agaa_planeNormal(p);
-    agaa_itemFragment[i] = fragment;
-    agaa_addSampleAt(samples, i, agaa_viewPositionAt(pixel, middle + 0.5, depth), depth, 2.4e-7 * depth, middle + 0.5,
-                     normal, agaa_codeOfNormal(normal));
-    if (AGAA_GLOSS_WEIGHT == 0u)
-        return;
-    AgaaMaterial m = agaa_fetchCovered(p, pixel, middle);
-    vec3 n = m.normal + (middle.x + 0.5) * m.normalDx + (middle.y + 0.5) * m.normalDy;
-    agaa_itemGloss[i] = agaa_Gloss(n * inversesqrt(max(dot(n, n), 1e-6)), m.alpha2);
-}
-
-void agaa_weighItem(uint i) {
-    agaa_weighNormal(i, mat3(agaa_frame.view) * agaa_itemGloss[i].normal, agaa_itemGloss[i].alpha2);
-}
-
-void agaa_weighNormals(uvec2 pixel, uint covered) {
-    for (uint rest = covered; rest != 0u; rest &= rest - 1u)
-        agaa_weighItem(uint(findLSB(rest)));
-}
-
-bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) {
-    if (AGAA_GLOSS_WEIGHT == 0u)
-        return true; // planes are compared only
-    vec3 normal = agaa_itemGloss[findLSB(covered)].normal;
-    float least = 1.0;
-    for (uint rest = covered; rest != 0u; rest &= rest - 1u)
-        least = min(least, dot(normal, agaa_itemGloss[findLSB(rest)].normal));
-    return least >= agaa_frame.surfaceCosine;
-}
-
-uint agaa_countShown(uint head, uint least) {
-    uint count = 0u;
-    for (uint fragment = head; fragment != 0u;) {
-        uint record = agaa_record(fragment);
-        count += agaa_coverageCount(agaa_maskOf(record)) >= least ? 1u : 0u;
-        fragment = agaa_nextOf(record);
-    }
-    return count;
-}
-
-// Adds up to agaa_maxClustered fragments, those with the most visible samples. Among fragments with equally many, it
-// takes evenly spaced ones, so that near and far ones are represented. Returns their number.
-uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, uint shown) {
-    // All fragments with this number of samples have room: at most 32 fragments have 4 of 128 samples.
-    uint enough = 1u;
-    uint smaller = 0u; // fragments that show at one sample less
-    while (enough < 4u && shown > agaa_maxClustered) {
-        ++enough;
-        smaller = shown;
-        shown = agaa_countShown(head, enough);
-        smaller -= shown;
-    }
-    uint room = agaa_maxClustered - shown; // for smaller fragments
-    uint passed = 0u;
-    uint count = 0u;
-    for (uint fragment = head; fragment != 0u;) {
-        uint record = agaa_record(fragment);
-        uint bits = agaa_coverageCount(agaa_maskOf(record));
-        bool isSmaller = bits + 1u == enough && bits != 0u;
-        bool isTaken = isSmaller && (passed + 1u) * room / smaller > passed * room / smaller;
-        passed += isSmaller ? 1u : 0u;
-        if ((bits >= enough || isTaken) && count < agaa_maxClustered) {
-            agaa_addFragment(samples, pixel, count, fragment);
-            agaa_setAggregate(record, count);
-            ++count;
-        } else {
-            agaa_setAggregate(record, agaa_maxClustered);
-        }
-        fragment = agaa_nextOf(record);
-    }
-    return count;
-}
-
-// Returns the aggregate, of `count`, whose seed is nearest to a fragment that was not clustered.
-uint agaa_nearestSeed(uvec2 pixel, uint fragment, uint count, agaa_Lengths lengths) {
-    agaa_PixelSamples ignored = agaa_noSamples();
-    agaa_addFragment(ignored, pixel, agaa_maxClustered, fragment);
-    if (AGAA_GLOSS_WEIGHT != 0u)
-        agaa_weighItem(agaa_maxClustered);
-    uint best = 0u;
-    float least = agaa_pairDistance(agaa_maxClustered, agaa_seedSample[0], lengths);
-    for (uint a = 1u; a < count; ++a) {
-        float d = agaa_pairDistance(agaa_maxClustered, agaa_seedSample[a], lengths);
-        best = d < least ? a : best;
-        least = min(d, least);
-    }
-    return best;
-}
-
-// Assigns each fragment of the resolved list to an aggregate. Returns the number of aggregates.
-uint agaa_groupFragments(uvec2 pixel, uint head) {
-    uint shown = agaa_countShown(head, 1u);
-    agaa_shownPrimitives = shown;
-    agaa_count(AGAA_COUNT_PRIMITIVES, shown);
-    if (shown == 0u)
-        return 0u;
-    agaa_PixelSamples samples = agaa_noSamples();
-    uint clustered = agaa_addLargest(samples, pixel, head, shown);
-    samples = agaa_withDistance(samples);
-    uint count = agaa_groupSamples(pixel, samples, clustered);
-    agaa_Lengths lengths = agaa_lengthsFor(agaa_pixelCharacteristicLength(samples), agaa_frame.aggregateThreshold);
-    for (uint fragment = head; fragment != 0u;) {
-        uint record = agaa_record(fragment);
-        uint item = agaa_aggregateOf(record);
-        uint a = 0u;
-        if (count > 1u && item < agaa_maxClustered)
-            a = agaa_sampleAggregate[item];
-        else if (count > 1u && agaa_coverageCount(agaa_maskOf(record)) != 0u)
-            a = agaa_nearestSeed(pixel, fragment, count, lengths);
-        agaa_setAggregate(record, a);
-        fragment = agaa_nextOf(record);
-    }
-    return count;
-}
-
-shared uint agaa_heads[64];                     // the first fragment of each pixel's list
-shared uvec4 agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate
-
-agaa_PixelWork agaa_workOf(uvec2 pixel) {
+// Finds the samples of the aggregates of this lane's pixel, and returns its work.
+agaa_PixelWork agaa_workOfGroups(uint head, uint count) {
     const uint lane = gl_LocalInvocationIndex;
-    uint head = agaa_resolveList(pixel);
-    uint count = agaa_groupFragments(pixel, head);
     agaa_heads[lane] = head;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
-        agaa_masks[lane * AGAA_AGGREGATES + a] = uvec4(0u);
+        agaa_setAggregateMask(lane, a, uvec4(0u));
     uint covered = 0u;
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
         uvec4 mask = agaa_maskOf(record);
-        agaa_masks[lane * AGAA_AGGREGATES + agaa_aggregateOf(record)] |= mask;
-        covered += agaa_coverageCount(mask);
+        uint samples = agaa_coverageCount(mask);
+        if (samples != 0u) {
+            uint a = agaa_aggregateOf(record);
+            agaa_setAggregateMask(lane, a, agaa_aggregateMask(lane, a) | mask);
+        }
+        covered += samples;
         fragment = agaa_nextOf(record);
     }
     memoryBarrierBuffer(); // other lanes shade the fragments that this lane grouped
@@ -189,49 +66,22 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     return agaa_pixelWork((1u << count) - 1u, 0u, covered);
 }
 
-#if AGAA_LIT
-float agaa_sampleLight[AGAA_SAMPLES]; // share of a shadow's light that reaches each sample of the current aggregate
-#endif
+agaa_PositionSums agaa_noPositions() { return agaa_PositionSums(0.0, vec2(0.0), vec3(0.0)); }
 
-float agaa_weightOf(uint i, bool isLit) {
-#if AGAA_LIT
-    if (isLit)
-        return agaa_sampleLight[i];
-#endif
-    return 1.0;
+// offset   Of a sample from the pixel's centre.
+void agaa_addPosition(inout agaa_PositionSums p, float weight, vec2 offset) {
+    vec2 at = offset + 0.5;
+    p.weight += weight;
+    p.sum += weight * at;
+    p.products += weight * vec3(at * at, at.x * at.y);
 }
 
-agaa_PositionSums agaa_positionSumsOf(uvec4 mask, float scale, bool isLit) {
-    agaa_PositionSums p = agaa_PositionSums(0.0, vec2(0.0), vec3(0.0));
+agaa_PositionSums agaa_positionSumsOf(uvec4 mask, float weight) {
+    agaa_PositionSums p = agaa_noPositions();
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
-        for (uint left = mask[word]; left != 0u; left &= left - 1u) {
-            uint i = word * 32u + uint(findLSB(left));
-            float weight = scale * agaa_weightOf(i, isLit);
-            vec2 at = agaa_coveragePosition(i, AGAA_SAMPLES) + 0.5;
-            p.weight += weight;
-            p.sum += weight * at;
-            p.products += weight * vec3(at * at, at.x * at.y);
-        }
+        for (uint left = mask[word]; left != 0u; left &= left - 1u)
+            agaa_addPosition(p, weight, agaa_coveragePosition(word * 32u + uint(findLSB(left)), AGAA_SAMPLES));
     return p;
-}
-
-// Returns means over the fragments of aggregate a. A sample has the weight `scale`, times its light if isLit is set.
-agaa_Means agaa_meansOf(uvec2 pixel, uint head, uint a, float scale, bool isLit) {
-    agaa_Means means = agaa_noMeans();
-    for (uint fragment = head; fragment != 0u;) {
-        uint record = agaa_record(fragment);
-        uvec4 mask = agaa_maskOf(record);
-        uint count = agaa_coverageCount(mask);
-        if (agaa_aggregateOf(record) == a && count != 0u) {
-            AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
-            AgaaMaterial m = agaa_fetchCovered(p, pixel, agaa_coverageMiddle(mask, AGAA_SAMPLES));
-            bool isWeighed = isLit || agaa_isCurvedMaterial(m);
-            agaa_PositionSums sums = agaa_positionSumsOf(isWeighed ? mask : uvec4(0u), scale, isLit);
-            agaa_addFetched(means, m, isWeighed ? sums.weight : scale * float(count), sums);
-        }
-        fragment = agaa_nextOf(record);
-    }
-    return means;
 }
 
 // Returns the mean position of the aggregate's samples in shading space.
@@ -269,54 +119,118 @@ agaa_DepthPlane agaa_shownPlane(uint head, uint sampleOf) {
 }
 
 #if AGAA_LIT
-// Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these
-// samples.
-void agaa_findLitSurfaces(uvec2 pixel, uint head, uint a, float weight, vec3 toEye) {
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map) {
-        if (!agaa_isLitShadow(map))
+// Returns sums over the samples of a fragment, each times `scale` and the share of the shadow's light that reaches it.
+// isKnown  The function was called for these samples before.
+// total    Receives the sum of the shares added to it.
+agaa_PositionSums agaa_litPositions(uvec2 pixel, uint map, agaa_DepthPlane plane, uvec4 mask, float scale, bool isKnown,
+                                    inout float total) {
+    agaa_PositionSums p = agaa_noPositions();
+    for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
+        for (uint left = mask[word]; left != 0u; left &= left - 1u) {
+            uint i = word * 32u + uint(findLSB(left));
+            vec2 at = agaa_coveragePosition(i, AGAA_SAMPLES);
+            float light = agaa_lightOfSample(pixel, map, plane, i, at, isKnown);
+            total += light;
+            agaa_addPosition(p, scale * light, at);
+        }
+    return p;
+}
+const uint agaa_maxParts = 1u + 2u * AGAA_SHADOW_MAPS;
+#else
+const uint agaa_maxParts = 1u;
+#endif
+
+// Returns the surface of aggregate a. Finds, for the shadow of each key light, the share of the samples that the light
+// reaches and the surface of this part. Each shadow has two iterations: the first one adds up the light, and the second
+// one finds the surface. One loop is over all of these, so that compilers do not repeat its code.
+// widening   Receives agaa_widening() of the whole surface.
+agaa_Surface agaa_findSurfaces(uvec2 pixel, uint head, uint a, float weight, vec3 toEye, out float widening) {
+    agaa_Surface whole;
+    widening = 0.0;
+    float scale = 1.0 / weight;
+    float light = 0.0;
+    uint part = 0u;
+    do {
+        const bool isLit = part != 0u;
+        const bool findsLight = (part & 1u) != 0u;
+        const uint map = (part - 1u) / 2u;
+        if (isLit && !agaa_isLitShadow(map))
             continue;
-        float sum = 0.0;
+        float total = 0.0;
+        agaa_Means means = agaa_noMeans();
         for (uint fragment = head; fragment != 0u;) {
             uint record = agaa_record(fragment);
-            uvec4 mask = agaa_aggregateOf(record) == a ? agaa_maskOf(record) : uvec4(0u);
-            agaa_DepthPlane plane = agaa_keptPlane(record);
-            for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
-                for (uint left = mask[word]; left != 0u; left &= left - 1u) {
-                    uint i = word * 32u + uint(findLSB(left));
-                    vec2 at = agaa_coveragePosition(i, AGAA_SAMPLES);
-                    agaa_sampleLight[i] = agaa_shadowTap(map, agaa_surfacePosition(pixel, plane, at));
-                    sum += agaa_sampleLight[i];
+            uvec4 mask = agaa_maskOf(record);
+            uint count = agaa_coverageCount(mask);
+            if (agaa_aggregateOf(record) == a && count != 0u) {
+                agaa_PositionSums sums = agaa_noPositions();
+#if AGAA_LIT
+                if (isLit)
+                    sums = agaa_litPositions(pixel, map, agaa_keptPlane(record), mask, scale, !findsLight, total);
+#endif
+                if (!findsLight) {
+                    AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
+                    AgaaMaterial m = agaa_fetchCovered(p, pixel, agaa_coverageMiddle(mask, AGAA_SAMPLES));
+                    if (!isLit && agaa_isCurvedMaterial(m))
+                        sums = agaa_positionSumsOf(mask, scale);
+                    else if (!isLit)
+                        sums.weight = scale * float(count);
+                    agaa_addFetched(means, m, sums.weight, sums);
                 }
+            }
             fragment = agaa_nextOf(record);
         }
-        agaa_visibility[map] = sum / weight;
-        agaa_Means means = agaa_meansOf(pixel, head, a, sum > 1e-6 ? 1.0 / sum : 0.0, true);
-        agaa_litSurface[map] = agaa_surfaceOfMeans(means, false, toEye);
-    }
-}
+        if (findsLight) {
+            light = total;
+            scale = light > 1e-6 ? 1.0 / light : 0.0;
+            continue;
+        }
+        agaa_Surface s = agaa_surfaceOfMeans(means, false, toEye);
+        if (!isLit) {
+            whole = s;
+            widening = agaa_widening(means, s);
+            agaa_countWidening(means, s);
+        }
+#if AGAA_LIT
+        else {
+            agaa_setLitSurface(map, light / weight, s);
+        }
 #endif
+    } while (++part < agaa_maxParts);
+    return whole;
+}
 
 vec3 agaa_shadeEvent(uint lane, uint a) {
     uvec2 pixel = agaa_pixelOf(lane);
     uint head = agaa_heads[lane];
-    uvec4 mask = agaa_masks[lane * AGAA_AGGREGATES + a];
+    uvec4 mask = agaa_aggregateMask(lane, a);
     float weight = float(agaa_coverageCount(mask));
     vec3 position = agaa_meanFragmentPosition(pixel, head, a, weight);
     agaa_tapSurface(pixel, head, mask, position);
-    agaa_Means means = agaa_meansOf(pixel, head, a, 1.0 / weight, false);
-    vec3 toEye = agaa_toEye(position);
-    agaa_Surface s = agaa_surfaceOfMeans(means, false, toEye);
-    agaa_countWidening(means, s);
-#if AGAA_LIT
-    agaa_findLitSurfaces(pixel, head, a, weight, toEye);
-#endif
-    vec3 color =
-        agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s), s.diffuse) : agaa_lightSurface(s, position);
+    float widening;
+    agaa_Surface s = agaa_findSurfaces(pixel, head, a, weight, agaa_toEye(position), widening);
+    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, widening, s.diffuse) : agaa_lightSurface(s, position);
     return color * weight;
 }
 
 void main() {
     agaa_countBegin();
-    agaa_shadeTile();
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    bool inside = all(lessThan(pixel, agaa_frame.size));
+    uint head = 0u;
+    uint shown = 0u;
+    if (inside) {
+        head = agaa_resolveList(pixel);
+        shown = agaa_countShown(head, 1u);
+        agaa_shownPrimitives = shown;
+        agaa_count(AGAA_COUNT_PRIMITIVES, shown);
+    }
+    uint count = agaa_groupFragments(pixel, head, shown);
+    agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
+    if (inside)
+        work = agaa_workOfGroups(head, count);
+    vec3 color = agaa_shadeWork(work);
+    if (inside)
+        agaa_writePixel(pixel, work, color);
     agaa_countEnd();
 }

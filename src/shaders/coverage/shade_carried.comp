@@ -2,6 +2,9 @@
 // DCAA.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define AGAA_VISIBILITY_WORDS 32u
+#define AGAA_SAMPLE_WORDS AGAA_VISIBILITY_WORDS
+#define AGAA_GROUPING_WORDS 0u
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
@@ -17,7 +20,29 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_means.glsl"
 
+#if AGAA_SAMPLE_LANES
+// Masks lose samples while other samples are not yet compared. The word by which the list was sorted keeps the depth at
+// the centroid of all covered samples, which determines the range of depths.
+void agaa_keepPlanes(uvec2 pixel, uint head) {
+    for (uint fragment = head; fragment != 0u;) {
+        uint record = agaa_record(fragment);
+        vec2 middle = agaa_coverageMiddle(agaa_maskOf(record), AGAA_SAMPLES);
+        agaa_fragments.words[record + AGAA_FRAGMENT_DEPTH_AT] =
+            floatBitsToUint(agaa_storedDepths(agaa_carriedPlane(record), middle).x);
+        fragment = agaa_nextOf(record);
+    }
+}
+
+agaa_DepthPlane agaa_listedPlane(uint record) {
+    agaa_StoredPlane stored = agaa_carriedPlane(record);
+    vec3 depths = agaa_storedDepths(stored, vec2(0.0));
+    depths.x = uintBitsToFloat(agaa_fragments.words[record + AGAA_FRAGMENT_DEPTH_AT]);
+    return agaa_planeOfDepths(stored, depths, true);
+}
+#else
 void agaa_keepPlanes(uvec2 pixel, uint head) {} // the lists have them
+agaa_DepthPlane agaa_listedPlane(uint record) { return agaa_keptPlane(record); }
+#endif
 #include "coverage/list_visibility.glsl"
 
 agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) {

@@ -1,6 +1,9 @@
 // Shades each fragment of a pixel that shows at a sample. Materials are fetched by id. This is the reference for DCAA.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define AGAA_VISIBILITY_WORDS 32u
+#define AGAA_SAMPLE_WORDS AGAA_VISIBILITY_WORDS
+#define AGAA_GROUPING_WORDS 0u
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"

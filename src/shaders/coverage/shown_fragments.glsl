@@ -11,6 +11,8 @@ agaa_DepthPlane agaa_keptPlane(uint record) {
     return agaa_DepthPlane(depth, slope, agaa_unpackRange(depth, slope, agaa_fragments.words[at + 3u]));
 }
 
+agaa_DepthPlane agaa_listedPlane(uint record) { return agaa_keptPlane(record); }
+
 // Stores the planes of all fragments. Fragments at the far plane cover no sample.
 void agaa_keepPlanes(uvec2 pixel, uint head) {
     uint fragment = head;

@@ -86,26 +86,37 @@ rvec2 agaa_hostMiddle(uvec4 mask) {
     return sum / max(count, real(1.0));
 }
 
-// Returns the centroid of a mask's samples, one or more, from the pixel's centre in pixels.
+// Adds the samples of a row to sums: their positions from the left border and from the centre of the pixel, and their
+// number.
+// bits   The row's part of a mask.
+void agaa_addRow(INOUT(rvec3) sums, uint bits, uint row, real spacing, uint samples) {
+    const real count = real(bitCount(bits));
+    const real columnSum = real(bitCount(bits & 0xAu) + 2 * bitCount(bits & 0xCu));
+    sums.x += (columnSum + count * agaa_coveragePhase(row, samples)) * spacing;
+    sums.y += count * agaa_coverageRowY(row, samples);
+    sums.z += count;
+}
+
+// Returns the centroid of a mask's samples, one or more, from the pixel's centre in pixels. An iteration adds four
+// rows, because software rasterisers of Mesa end all loops of an invocation after 65535 iterations in total.
 rvec2 agaa_coverageMiddle(uvec4 mask, uint samples) {
     if (agaa_hasHostPattern())
         return agaa_hostMiddle(mask);
     const uint columns = agaa_coverageColumns(samples);
     const uint rows = agaa_coverageRows(samples);
     const uint rowsOfWord = 32u / columns;
+    const uint ofRow = (1u << columns) - 1u;
     const real spacing = columns == 2u ? real(0.5) : real(0.25);
-    rvec2 sum = rvec2(real(0.0));
-    real count = real(0.0);
-    for (uint row = 0u; row < rows; ++row) {
-        const uint bits = (mask[row / rowsOfWord] >> (row % rowsOfWord * columns)) & ((1u << columns) - 1u);
-        const real samplesOfRow = real(bitCount(bits));
-        const real columnSum = real(bitCount(bits & 0xAu) + 2 * bitCount(bits & 0xCu));
-        sum.x += (columnSum + samplesOfRow * agaa_coveragePhase(row, samples)) * spacing;
-        sum.y += samplesOfRow * agaa_coverageRowY(row, samples);
-        count += samplesOfRow;
+    rvec3 sums = rvec3(real(0.0));
+    for (uint row = 0u; row < rows; row += 4u) {
+        const uint bits = mask[row / rowsOfWord] >> (row % rowsOfWord * columns);
+        agaa_addRow(sums, bits & ofRow, row, spacing, samples);
+        agaa_addRow(sums, bits >> columns & ofRow, row + 1u, spacing, samples);
+        agaa_addRow(sums, bits >> 2u * columns & ofRow, row + 2u, spacing, samples);
+        agaa_addRow(sums, bits >> 3u * columns & ofRow, row + 3u, spacing, samples);
     }
-    const real scale = real(1.0) / max(count, real(1.0));
-    return rvec2(sum.x * scale - real(0.5), sum.y * scale);
+    const real scale = real(1.0) / max(sums.z, real(1.0));
+    return rvec2(sums.x * scale - real(0.5), sums.y * scale);
 }
 
 uvec4 agaa_allCoverage(uint samples) {

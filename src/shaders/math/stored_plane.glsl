@@ -113,16 +113,20 @@ rvec3 agaa_storedDepths(agaa_StoredPlane stored, rvec2 anchor) {
 }
 
 // Returns the plane of a surface, with its range.
+// depths      agaa_storedDepths()
 // isReduced   The anchor is the centroid of a part of the covered samples, which may be at an end of the range; the
 //             range is then widened to both sides.
-agaa_DepthPlane agaa_loadedPlane(agaa_StoredPlane stored, rvec2 anchor, bool isReduced) {
-    const rvec3 depths = agaa_storedDepths(stored, anchor);
+agaa_DepthPlane agaa_planeOfDepths(agaa_StoredPlane stored, rvec3 depths, bool isReduced) {
     const real both = depths.y + depths.z;
     agaa_DepthPlane plane;
     plane.depth = stored.depth;
     plane.slope = agaa_storedSlopes(stored.slopes);
     plane.range = rvec2(depths.x - (isReduced ? both : depths.y), depths.x + (isReduced ? both : depths.z));
     return plane;
+}
+
+agaa_DepthPlane agaa_loadedPlane(agaa_StoredPlane stored, rvec2 anchor, bool isReduced) {
+    return agaa_planeOfDepths(stored, agaa_storedDepths(stored, anchor), isReduced);
 }
 
 // A plane that is stored whole has its range in one word: both ends in units of the change of depth across the pixel,
