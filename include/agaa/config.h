@@ -336,9 +336,10 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
 } AgaaDebugView;
 
-/* The lanes of compute passes that group the samples of pixels: those of "agaa", except the tier FRAGMENTS, and of
- * "sbaa". The image and the counters do not depend on the value. A value that the device cannot run fails with
- * AGAA_ERROR_UNSUPPORTED. Notes of the plan name the choice of AUTO and its reason.
+/* The lanes of compute passes that compare the samples of pixels: those of "agaa", "sbaa" and "adaptive", and those of
+ * "dcaa" with AGAA_COVERAGE_EXACT. The image and the counters do not depend on the value. A value that the device
+ * cannot run fails with AGAA_ERROR_UNSUPPORTED, and so does SAMPLE_SUBGROUP with the tier FRAGMENTS and with
+ * AGAA_COVERAGE_EXACT. Notes of the plan name the choice of AUTO and its reason.
  *
  * "dcaa", tiers FRAGMENT_LISTS and MATERIAL_LISTS: the pass that merges fragments has one lane per pixel. PIXEL keeps
  * the surfaces of a pixel in an array of the lane, the other lanes keep them in shared memory. Both need no subgroups.
@@ -380,7 +381,7 @@ typedef struct AgaaMeasurement {
     uint32_t shadingCost; /* lighting is evaluated this many times, [1, 64] */
     uint32_t debugView;   /* AgaaDebugView */
     uint32_t seeds;       /* AgaaSeeds of "agaa" */
-    uint32_t lanes;       /* AgaaLanes of "agaa", "sbaa" and "dcaa" */
+    uint32_t lanes;       /* AgaaLanes */
     uint64_t flags;       /* AGAA_MEASURE_… */
 } AgaaMeasurement;
 #define AGAA_MEASUREMENT_INIT                                                                                          \

@@ -95,7 +95,7 @@ TEST(Lanes, AForcedChoiceRunsOrFails) {
 }
 
 TEST(Lanes, OtherTechniquesDoNotUseTheSetting) {
-    for (const char* technique : {"ssaa", "adaptive", "fxaa"}) {
+    for (const char* technique : {"ssaa", "fxaa"}) {
         ViewSpec spec = specWith(4, AGAA_LANES_SAMPLE_SUBGROUP, AGAA_TIER_AUTO);
         spec.technique = technique;
         const Plan plan = planFor(spec, deviceWith(0));
@@ -205,9 +205,35 @@ TEST(Lanes, ListsUseSharedMemory) {
         EXPECT_EQ(lanesOf(AGAA_LANES_AUTO, AGAA_DEVICE_SOFTWARE), AGAA_LANES_PIXEL);
         EXPECT_EQ(lanesOf(AGAA_LANES_PIXEL, 0), AGAA_LANES_PIXEL);
         EXPECT_EQ(lanesOf(AGAA_LANES_SAMPLE_SHARED, AGAA_DEVICE_SOFTWARE), AGAA_LANES_SAMPLE_SHARED);
-        const std::string message = messageOf(listSpec(technique, AGAA_LANES_SAMPLE_SUBGROUP), deviceWith(64),
-                                              AGAA_ERROR_UNSUPPORTED);
+        const std::string message =
+            messageOf(listSpec(technique, AGAA_LANES_SAMPLE_SUBGROUP), deviceWith(64), AGAA_ERROR_UNSUPPORTED);
         EXPECT_NE(message.find("no variant with subgroup operations"), std::string::npos) << message;
+    }
+}
+
+TEST(Lanes, AdaptiveComparesSamplesByLanes) {
+    AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+    function.glsl = "";
+    function.maxDraws = function.maxPrimitives = 1024;
+    for (const AgaaTier tier : {AGAA_TIER_IDS, AGAA_TIER_GBUFFER}) {
+        SCOPED_TRACE(agaaTierName(tier));
+        ViewSpec spec = specWith(16, AGAA_LANES_AUTO, tier);
+        spec.technique = "adaptive";
+        spec.chained = tier == AGAA_TIER_IDS ? &function : nullptr;
+        const Plan subgroup = planFor(spec, deviceWith(32)), shared = planFor(spec, deviceWith(8));
+        EXPECT_EQ(subgroup.view.lanes, AGAA_LANES_SAMPLE_SUBGROUP);
+        EXPECT_EQ(shared.view.lanes, AGAA_LANES_SAMPLE_SHARED);
+        EXPECT_EQ(planFor(spec, deviceWith(32, 49152, AGAA_DEVICE_SOFTWARE)).view.lanes, AGAA_LANES_PIXEL);
+        const auto isFull = [](const Plan& plan, std::string_view name) {
+            for (const Pass& pass : plan.passes)
+                if (pass.name == name)
+                    return pass.compute().fullSubgroups;
+            ADD_FAILURE() << "no pass " << name;
+            return false;
+        };
+        EXPECT_TRUE(isFull(subgroup, "shade further samples"));
+        EXPECT_FALSE(isFull(shared, "shade further samples"));
+        EXPECT_EQ(isFull(subgroup, "shade first samples"), tier == AGAA_TIER_IDS);
     }
 }
 

@@ -26,6 +26,8 @@ struct LaneRow {
     bool hasTwoLit = false;              // a second lit shadow, which frames lack
     bool isExact = false;                // AGAA_COVERAGE_EXACT
     bool hasManyFragments = false;       // manyFragmentsInTile() with c above 2, otherwise manyFragments()
+    uint64_t adaptive = 0;               // AGAA_ADAPTIVE_…
+    float targetEvents = 0;
 
     bool isMerging() const { return std::strcmp(technique, "dcaa") == 0 && !isExact; }
     // Passes over lists have no variant with subgroup operations.
@@ -35,9 +37,12 @@ struct LaneRow {
 inline std::ostream& operator<<(std::ostream& out, const LaneRow& row) {
     return out << row.technique << ' ' << agaaTierName(row.tier) << " n=" << row.n << " c=" << row.c << ' '
                << row.preset << " flags=" << row.flags << (row.isMixed ? " some unfetched" : "")
-               << " seeds=" << row.seeds << " merge=" << row.merge << " ndf=" << row.ndf << (row.isExact ? " exact" : "")
-               << (row.hasManyFragments ? " many fragments" : "");
+               << " seeds=" << row.seeds << " merge=" << row.merge << " ndf=" << row.ndf
+               << (row.isExact ? " exact" : "") << (row.hasManyFragments ? " many fragments" : "")
+               << " adaptive=" << row.adaptive << " target=" << row.targetEvents;
 }
+
+constexpr uint64_t adaptiveBoth = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
 
 template <class Host> class LaneCases : public testing::Test {
 protected:
@@ -56,8 +61,11 @@ protected:
         settings.config.measurement.seeds = row.seeds;
         settings.config.measurement.lanes = lanes;
         settings.config.coverage.merge = row.merge;
-        settings.config.ndf = row.ndf;
+        if (row.isMerging())
+            settings.config.ndf = row.ndf;
         settings.config.coverage.flags |= row.isExact ? AGAA_COVERAGE_EXACT : 0;
+        settings.config.adaptive.flags = row.adaptive;
+        settings.config.adaptive.targetEvents = row.targetEvents;
         const bool hasShadow = *row.preset;
         settings.facts.shadowMapCount = hasShadow + row.hasTwoLit;
         if (row.hasTwoLit)
@@ -94,7 +102,10 @@ protected:
     // Compares the variants of a row, which must merge in full pixels if it is one of dcaa. Returns their number.
     uint32_t compareLanes(const LaneRow& row) {
         const Shown pixel = render(row, AGAA_LANES_PIXEL);
-        EXPECT_GT(pixel.counters.aggregates, pixel.counters.shadedPixels * (row.c > 1)) << row;
+        const bool isAdaptive = row.adaptive != 0; // it has no aggregates
+        EXPECT_GT(isAdaptive ? pixel.counters.shadingEvents : pixel.counters.aggregates,
+                  pixel.counters.shadedPixels * (isAdaptive || row.c > 1))
+            << row;
         if (row.isMerging()) {
             EXPECT_GT(pixel.counters.mergedSecond + pixel.counters.discarded, 0u) << row;
         }
@@ -155,10 +166,21 @@ TYPED_TEST_P(LaneCases, ShowTheSame) {
           LaneRow{"agaa", AGAA_TIER_GBUFFER, 4, 3}, LaneRow{"agaa", AGAA_TIER_IDS, 8, 4, 0, "accurate"},
           LaneRow{"sbaa", AGAA_TIER_GBUFFER, 8, 3},
           LaneRow{.technique = "agaa", .tier = AGAA_TIER_FRAGMENTS, .n = 64, .c = 2, .hasManyFragments = true},
-          LaneRow{.technique = "dcaa", .tier = AGAA_TIER_MATERIAL_LISTS, .n = 64, .c = 1, .isExact = true}})
+          LaneRow{.technique = "dcaa", .tier = AGAA_TIER_MATERIAL_LISTS, .n = 64, .c = 1, .isExact = true},
+          LaneRow{.technique = "adaptive",
+          .tier = AGAA_TIER_IDS,
+          .n = 8,
+          .c = 1,
+          .adaptive = adaptiveBoth,
+          .targetEvents = 3},
+          LaneRow{.technique = "adaptive",
+          .tier = AGAA_TIER_GBUFFER,
+          .n = 4,
+          .c = 1,
+          .adaptive = adaptiveBoth | AGAA_ADAPTIVE_BUCKETS}})
         variants += this->compareLanes(row);
     std::printf("%u variants, subgroups of %u lanes\n", variants, this->context.caps().subgroupSize);
-    EXPECT_GE(variants, 12u);
+    EXPECT_GE(variants, 16u);
 }
 
 // OpenGL has the shaders of Vulkan: it compares one n.
@@ -212,7 +234,23 @@ TYPED_TEST_P(LaneCases, ShowTheSameFragmentsWithAllSettings) {
     }
 }
 
+TYPED_TEST_P(LaneCases, ShowTheSameAdaptiveWithAllSettings) {
+    const auto compare = [&](uint32_t tier, uint32_t n, uint64_t flags, float targetEvents = 0) {
+        this->compareLanes(
+            {.technique = "adaptive", .tier = tier, .n = n, .c = 1, .adaptive = flags, .targetEvents = targetEvents});
+    };
+    for (const uint32_t tier : {AGAA_TIER_IDS, AGAA_TIER_GBUFFER}) {
+        for (const uint32_t n : {2u, 4u, 8u, 9u, 16u, 32u})
+            compare(tier, n, adaptiveBoth, n > 4 ? 2.5f : 0);
+        compare(tier, 16, AGAA_ADAPTIVE_GEOMETRY);
+        compare(tier, 8, AGAA_ADAPTIVE_SHADING);
+        compare(tier, 8, AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_PRINTED_METRIC);
+        compare(tier, 8, adaptiveBoth | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_TILE_MAXIMUM);
+        compare(tier, 32, adaptiveBoth | AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP | AGAA_ADAPTIVE_SORTED);
+    }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, ShowTheSameFragmentsWithAllSettings,
-                            MergeTheSame, MeansOfKeptMaterialsAreTheSame);
+                            ShowTheSameAdaptiveWithAllSettings, MergeTheSame, MeansOfKeptMaterialsAreTheSame);
 
 } // namespace agaa::test

@@ -120,11 +120,10 @@ void chooseViewLanes(ResolvedView& view, const AgaaDeviceCaps& caps) {
     const Technique& technique = *view.technique;
     const bool countsCoverage = technique.countsCoverage(view.config.generationTier, view.samples);
     const bool resolvesLists = technique.groupsSamples || view.coverage.flags & AGAA_COVERAGE_EXACT;
-    if (!technique.maxAggregates || view.isModel() || (countsCoverage && !resolvesLists))
+    if (!(technique.maxAggregates || technique.comparesSamples) || view.isModel() || (countsCoverage && !resolvesLists))
         return;
-    const LaneChoice choice = countsCoverage
-                                  ? chooseListLanes(caps, technique.groupsSamples, view.measurement.lanes)
-                                  : chooseLanes(caps, view.samples, view.measurement.lanes);
+    const LaneChoice choice = countsCoverage ? chooseListLanes(caps, technique.groupsSamples, view.measurement.lanes)
+                                             : chooseLanes(caps, view.samples, view.measurement.lanes);
     if (choice.lanes == AGAA_LANES_AUTO)
         fail(AGAA_ERROR_UNSUPPORTED, "AgaaMeasurement::lanes cannot run: " + choice.reason);
     view.lanes = choice.lanes;

@@ -79,6 +79,7 @@ struct Technique {
     uint32_t maxAggregates = 0; // c or S, of techniques with a generation stage; 0: none
     // Samples are grouped by position and by material: the technique has lit shadows, gloss weights and elliptic lobes.
     bool groupsSamples = false;
+    bool comparesSamples = false;                      // passes choose the samples of pixels that they shade
     std::span<const GenerationTier* const> tiers = {}; // of materials, in the order in which AUTO prefers them
     std::span<const TechniqueSettings* const> settings = {};
     void (*build)(PlanBuilder& builder);

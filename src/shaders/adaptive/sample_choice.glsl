@@ -5,6 +5,44 @@
 #define AGAA_SAMPLE_CHOICE_GLSL
 #include "adaptive/sample_features.glsl"
 
+#if AGAA_SAMPLE_LANES
+// The sample of this lane. All lanes call the functions.
+struct agaa_LaneChoice {
+    agaa_LaneFeatures sample_;
+    agaa_Features features;
+    float distance; // to the nearest chosen sample
+    uint owner;     // that sample
+};
+
+// Loads a pixel's samples and chooses the first in order.
+agaa_LaneChoice agaa_beginLaneChoice(uvec2 pixel) {
+    agaa_LaneChoice c;
+    c.sample_ = agaa_loadLaneFeatures(pixel);
+    c.features = agaa_unpackFeatures(pixel, min(agaa_laneSample(), AGAA_SAMPLES - 1u));
+    c.distance = c.sample_.difference;
+    c.owner = c.sample_.first;
+    return c;
+}
+
+// Chooses a sample, in pixels with `chooses`.
+void agaa_chooseLane(inout agaa_LaneChoice c, uvec2 pixel, bool chooses, uint chosen) {
+    agaa_Features f = agaa_unpackFeatures(pixel, chosen);
+    float d = agaa_laneSample() == chosen ? -1.0 : agaa_differenceOf(f, c.features);
+    if (chooses && c.sample_.isCovered && d < c.distance) {
+        c.distance = d;
+        c.owner = chosen;
+    }
+}
+
+// Returns the sample with the largest difference that is not chosen. Ties are broken by the pattern's order.
+// most   Receives the difference.
+uint agaa_farthestOfLanes(agaa_LaneChoice c, uint chosen, out float most) {
+    const bool isLeft = c.sample_.isCovered && (chosen >> agaa_laneSample() & 1u) == 0u && c.distance > -1.0;
+    most = agaa_maxOfPixel(isLeft ? c.distance : -1.0);
+    uint farthest = agaa_samplesWhere(isLeft && c.distance == most);
+    return farthest != 0u ? agaa_firstInOrder(farthest) : 0u;
+}
+#else
 // Values of the current pixel, by sample.
 float agaa_distances[AGAA_SAMPLES]; // to the nearest chosen sample
 uint agaa_owners[AGAA_SAMPLES];     // that sample
@@ -79,4 +117,5 @@ uint agaa_samplesOf(uint covered, uint chosen) {
     }
     return samples;
 }
+#endif
 #endif

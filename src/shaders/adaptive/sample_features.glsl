@@ -4,6 +4,10 @@
 #if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_DISPLAY_GLSL)
 #error "sample_features.glsl needs target.glsl and display.glsl."
 #endif
+#ifndef AGAA_SAMPLE_LANES
+#define AGAA_SAMPLE_LANES 0
+#endif
+#define AGAA_GROUPING_WORDS 8u // features, and three of aggregate/lanes.glsl
 #include "math/adaptive.glsl"
 #include "adaptive/adaptive_flags.glsl"
 #include "gbuffer/gbuffer.glsl"
@@ -41,23 +45,47 @@ agaa_Features agaa_fetchedFeatures(uvec2 pixel, uint i, float depth) {
                            agaa_displayed(s.emissive));
 }
 
-// The features of the pixel's samples.
-uvec4 agaa_sampleFeatures[AGAA_SAMPLES]; // depth, the code of the normal, diffuse colour and alpha, reflectance
-uint agaa_sampleEmission[AGAA_SAMPLES];  // where materials are emissive
+// The features of the pixel's samples: depth, the code of the normal, diffuse colour and alpha, reflectance; and
+// emission, where materials are emissive.
+#if AGAA_SAMPLE_LANES
+#include "aggregate/lanes.glsl"
+void agaa_keepFeatureWords(uint i, uvec4 words, uint emission) {
+    const uint lane = agaa_firstLane() + i;
+    for (uint k = 0u; k < 4u; ++k)
+        AGAA_LANE_WORD(lane, k) = words[k];
+    if (agaa_hasFact(AGAA_FACT_EMISSIVE))
+        AGAA_LANE_WORD(lane, 4u) = emission;
+}
+uvec4 agaa_keptFeatures(uint i) {
+    const uint lane = agaa_firstLane() + i;
+    return uvec4(AGAA_LANE_WORD(lane, 0u), AGAA_LANE_WORD(lane, 1u), AGAA_LANE_WORD(lane, 2u),
+                 AGAA_LANE_WORD(lane, 3u));
+}
+uint agaa_keptEmission(uint i) { return AGAA_LANE_WORD(agaa_firstLane() + i, 4u); }
+#else
+uvec4 agaa_sampleFeatures[AGAA_SAMPLES];
+uint agaa_sampleEmission[AGAA_SAMPLES];
+void agaa_keepFeatureWords(uint i, uvec4 words, uint emission) {
+    agaa_sampleFeatures[i] = words;
+    if (agaa_hasFact(AGAA_FACT_EMISSIVE))
+        agaa_sampleEmission[i] = emission;
+}
+uvec4 agaa_keptFeatures(uint i) { return agaa_sampleFeatures[i]; }
+uint agaa_keptEmission(uint i) { return agaa_sampleEmission[i]; }
+#endif
 
 // Packs the features of the sample fetched last.
 void agaa_packFeatures(uint i, float depth) {
     agaa_Surface s = agaa_sampleSurface();
-    agaa_sampleFeatures[i] =
-        uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()), packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
-              packUnorm4x8(vec4(s.specular, 0.0)));
-    if (agaa_hasFact(AGAA_FACT_EMISSIVE))
-        agaa_sampleEmission[i] = packUnorm4x8(vec4(agaa_displayed(s.emissive), 0.0));
+    agaa_keepFeatureWords(i,
+                          uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()),
+                                packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))), packUnorm4x8(vec4(s.specular, 0.0))),
+                          packUnorm4x8(vec4(agaa_displayed(s.emissive), 0.0)));
 }
 
 agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i) {
-    uvec4 words = agaa_sampleFeatures[i];
-    vec3 emission = agaa_hasFact(AGAA_FACT_EMISSIVE) ? unpackUnorm4x8(agaa_sampleEmission[i]).xyz : vec3(0.0);
+    uvec4 words = agaa_keptFeatures(i);
+    vec3 emission = agaa_hasFact(AGAA_FACT_EMISSIVE) ? unpackUnorm4x8(agaa_keptEmission(i)).xyz : vec3(0.0);
     return agaa_featuresAt(pixel, i, uintBitsToFloat(words.x),
                            agaa_decodeOct(unpackUnorm2x16(words.y), agaa_fieldBits(AGAA_SOURCE_NORMAL_X)),
                            unpackUnorm4x8(words.z), unpackUnorm4x8(words.w).xyz, emission);
@@ -91,7 +119,93 @@ uint agaa_samplesOfFirst(uint first, uint alike, uint covered) {
     return agaa_isAdaptive(AGAA_ADAPTIVE_SHADING) ? covered : 1u << first;
 }
 
+#if AGAA_SAMPLE_LANES
+// The sample of a lane. All lanes call the functions.
+struct agaa_LaneFeatures {
+    uint covered; // samples of the pixel with geometry
+    uint first;   // of these, in the pattern's order
+    bool isCovered;
+    float difference; // from the first
+};
+
+// Returns the features of sample i. own: of this lane's sample.
+agaa_Features agaa_featuresOfSample(agaa_Features own, uint i) {
+    agaa_Features f;
+    f.position = agaa_ofSample(own.position, i);
+    f.normal = agaa_ofSample(own.normal, i);
+    f.diffuseAlpha.xyz = agaa_ofSample(own.diffuseAlpha.xyz, i);
+    f.specular = agaa_ofSample(own.specular, i);
+    f.emission = agaa_hasFact(AGAA_FACT_EMISSIVE) ? agaa_ofSample(own.emission, i) : own.emission;
+    vec3 others = agaa_ofSample(vec3(own.width, own.diffuseAlpha.w, 0.0), i);
+    f.width = others.x;
+    f.diffuseAlpha.w = others.y;
+    return f;
+}
+
 #ifdef AGAA_HOST_FETCH
+// Keeps the features of this lane's sample. The lane of the first sample of a primitive fetches its material.
+agaa_Features agaa_loadFeatures(uvec2 pixel, uint covered, bool isCovered) {
+    const uint i = min(agaa_laneSample(), AGAA_SAMPLES - 1u);
+    const uint shown = isCovered ? agaa_samplesOfPrimitive(pixel, i, covered) : 1u << i;
+    const uint fetching = uint(findLSB(shown));
+    AgaaMaterial m = agaa_defaultMaterial();
+    if (isCovered && fetching == i)
+        m = agaa_fetchMaterial(agaa_primitive(agaa_idOf(pixel, i)), pixel, shown);
+    m.diffuse = agaa_ofSample(m.diffuse, fetching);
+    m.specular = agaa_ofSample(m.specular, fetching);
+    m.emissive = agaa_ofSample(m.emissive, fetching);
+    m.normal = agaa_ofSample(m.normal, fetching);
+    m.normalDx = agaa_ofSample(m.normalDx, fetching);
+    m.normalDy = agaa_ofSample(m.normalDy, fetching);
+    m.alpha2 = agaa_ofSample(vec3(m.alpha2), fetching).x;
+    agaa_fetched = m;
+    agaa_fetched.normal = agaa_materialNormal(m, i);
+    if (isCovered)
+        agaa_packFeatures(i, agaa_depthOf(pixel, i));
+    return agaa_unpackFeatures(pixel, i);
+}
+#else
+agaa_Features agaa_loadFeatures(uvec2 pixel, uint covered, bool isCovered) {
+    const uint i = min(agaa_laneSample(), AGAA_SAMPLES - 1u);
+    agaa_Features own = agaa_Features(vec3(0.0), vec3(0.0), 0.0, vec4(0.0), vec3(0.0), vec3(0.0));
+    if (isCovered) {
+        agaa_fetchSample(pixel, i);
+        float depth = agaa_depthOf(pixel, i);
+        own = agaa_fetchedFeatures(pixel, i, depth);
+        agaa_packFeatures(i, depth);
+    }
+    return own;
+}
+#endif
+
+// Loads the samples of a pixel, which may be outside the image, and compares them with the first.
+agaa_LaneFeatures agaa_loadLaneFeatures(uvec2 pixel) {
+    const uint i = agaa_laneSample();
+    agaa_LaneFeatures s;
+    s.isCovered = false;
+    if (all(lessThan(pixel, agaa_frame.size)) && i < AGAA_SAMPLES)
+        s.isCovered = agaa_isCovered(pixel, i);
+    s.covered = agaa_samplesWhere(s.isCovered);
+    s.first = s.covered != 0u ? agaa_firstInOrder(s.covered) : 0u;
+    agaa_syncLanes(); // the lanes have read the features of the previous pixel
+    agaa_Features own = agaa_loadFeatures(pixel, s.covered, s.isCovered);
+    agaa_syncLanes();
+    agaa_Features f = agaa_featuresOfSample(own, s.first);
+    s.difference = i == s.first ? -1.0 : agaa_differenceOf(f, own);
+    return s;
+}
+
+// Returns the samples that do not differ enough from the first to be shaded.
+uint agaa_alikeSamples(agaa_LaneFeatures s) {
+    return agaa_samplesWhere(s.isCovered && !agaa_callsForSample(s.difference));
+}
+
+// Returns whether the sample of this lane has geometry.
+bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
+    f = agaa_unpackFeatures(pixel, i);
+    return true;
+}
+#elif defined(AGAA_HOST_FETCH)
 // Loads the pixel's samples, with one material per primitive. Returns the mask of samples with geometry.
 uint agaa_loadFetched(uvec2 pixel) {
     uint covered = 0u;

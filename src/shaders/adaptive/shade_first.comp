@@ -1,6 +1,7 @@
 // Shades one sample of each pixel and compares the others with it (Hollaender et al. 2013, sections 3 and 3.1).
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "common/subgroup_extensions.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_MAX_EVENTS 1u
 #include "common/bindings.glsl"
@@ -27,6 +28,7 @@ struct agaa_Comparison {
     float most; // the largest difference
 };
 
+#if !AGAA_SAMPLE_LANES
 agaa_Comparison agaa_compareSamples(uvec2 pixel) {
     agaa_beginSamples(pixel);
     agaa_Comparison c = agaa_Comparison(0u, 0u, 0u, 0.0);
@@ -50,6 +52,7 @@ agaa_Comparison agaa_compareSamples(uvec2 pixel) {
     c.alike |= 1u << c.first;
     return c;
 }
+#endif
 
 // Returns the number of samples by the metric as printed by Hollaender et al. 2013, section 3.1: the variance of depth,
 // and the cone around the mean normal.
@@ -85,6 +88,27 @@ uint agaa_countByGeometry(uvec2 pixel, agaa_Comparison c) {
     return agaa_callsForSample(c.most) ? 2u : 1u;
 }
 
+#if AGAA_SAMPLE_LANES
+shared agaa_Comparison agaa_comparisons[64]; // of each lane's pixel
+shared uint agaa_sampleCounts[64];
+
+// Compares the samples of all pixels of the tile. All lanes must call it.
+void agaa_compareTile() {
+    for (uint iteration = 0u; iteration < agaa_pixelLanes; ++iteration) {
+        const uint lane = agaa_lanePixel(iteration);
+        const uvec2 pixel = agaa_pixelOf(lane);
+        agaa_LaneFeatures s = agaa_loadLaneFeatures(pixel);
+        agaa_Comparison c = agaa_Comparison(s.covered, agaa_alikeSamples(s), s.first,
+                                            agaa_maxOfPixel(s.isCovered ? max(s.difference, 0.0) : 0.0));
+        if (agaa_laneSample() == 0u) {
+            agaa_comparisons[lane] = c;
+            agaa_sampleCounts[lane] = c.covered != 0u ? agaa_countByGeometry(pixel, c) : 0u;
+        }
+    }
+    barrier();
+}
+#endif
+
 agaa_PixelWork agaa_workOf(uvec2 pixel, agaa_Comparison c, uint count) {
     agaa_choices.words[agaa_choiceAt(pixel)] =
         agaa_packCount(uint(bitCount(c.covered)), count, agaa_shareOfLimit(c.most));
@@ -110,9 +134,17 @@ void main() {
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     uint count = 0u;
+#if AGAA_SAMPLE_LANES
+    agaa_compareTile();
+#endif
     if (all(lessThan(pixel, agaa_frame.size))) {
+#if AGAA_SAMPLE_LANES
+        agaa_Comparison c = agaa_comparisons[gl_LocalInvocationIndex];
+        count = agaa_sampleCounts[gl_LocalInvocationIndex];
+#else
         agaa_Comparison c = agaa_compareSamples(pixel);
         count = c.covered != 0u ? agaa_countByGeometry(pixel, c) : 0u;
+#endif
         work = agaa_workOf(pixel, c, count);
     }
     if (AGAA_COUNTS_FOUND == AGAA_FOUND_BETWEEN)

@@ -1,6 +1,7 @@
 // Shades further samples of listed pixels and writes these pixels (Hollaender et al. 2013, sections 3.1 and 3.2).
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "common/subgroup_extensions.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_MAX_EVENTS AGAA_SAMPLES
 #include "common/bindings.glsl"
@@ -26,12 +27,18 @@ uint agaa_ownerIn(uint word, uint index) {
     return word >> (agaa_ownerBits * index) & ((1u << agaa_ownerBits) - 1u);
 }
 
+#if AGAA_SAMPLE_LANES
+uint agaa_ownerOf(uint i) { return AGAA_LANE_WORD(agaa_firstLane() + i, 0u); }
+#else
+uint agaa_ownerOf(uint i) { return agaa_owners[i]; }
+#endif
+
 // Returns the word with the owners of its samples.
 uint agaa_ownerWord(uint word, uint covered) {
     uint owners = 0u;
     for (uint k = 0u; k < agaa_ownersPerWord; ++k) {
         uint i = min(word * agaa_ownersPerWord + k, AGAA_SAMPLES - 1u);
-        owners |= (covered >> i & 1u) != 0u ? agaa_owners[i] << (agaa_ownerBits * k) : 0u;
+        owners |= (covered >> i & 1u) != 0u ? agaa_ownerOf(i) << (agaa_ownerBits * k) : 0u;
     }
     return owners;
 }
@@ -58,6 +65,12 @@ uint agaa_samplesOfLane(uint lane, uint chosen) {
     return samples & agaa_laneCovered[lane];
 }
 
+#if AGAA_SAMPLE_LANES
+uint agaa_ownedSamples(uint lane, uint covered, uint chosen) { return agaa_samplesOfLane(lane, chosen); }
+#else
+uint agaa_ownedSamples(uint lane, uint covered, uint chosen) { return agaa_samplesOf(covered, chosen); }
+#endif
+
 float agaa_eventWeight(uint samples) {
     return agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS) ? 1.0 : float(bitCount(samples));
 }
@@ -68,34 +81,78 @@ struct agaa_Further {
     float weights;     // of all samples
 };
 
-// Returns the mask of shaded samples, which contains the first.
-uint agaa_chosenSamples(uvec2 pixel, uint covered, uint first) {
-    uint word = agaa_choices.words[agaa_choiceAt(pixel)];
-    bool isCounted = AGAA_COUNTS_FOUND != AGAA_FOUND_WITH_FURTHER;
-    float left;
-    return agaa_chooseMore(pixel, covered, 1u << first, isCounted ? word : 0u, isCounted ? 0.0 : uintBitsToFloat(word),
-                           left);
+// Return the number of samples that earlier passes found, or 0, and otherwise the number that shading demands.
+const bool agaa_isCounted = AGAA_COUNTS_FOUND != AGAA_FOUND_WITH_FURTHER;
+uint agaa_wantedSamples(uvec2 pixel) { return agaa_isCounted ? agaa_choices.words[agaa_choiceAt(pixel)] : 0u; }
+float agaa_shadingDemand(uvec2 pixel) {
+    return agaa_isCounted ? 0.0 : uintBitsToFloat(agaa_choices.words[agaa_choiceAt(pixel)]);
 }
 
-agaa_Further agaa_furtherOf(uvec2 pixel) {
+#if AGAA_SAMPLE_LANES
+shared uint agaa_laneChosen[64];
+
+// Chooses samples of the pixels of all lanes. All lanes must call it.
+void agaa_choosePixels() {
+    for (uint iteration = 0u; iteration < agaa_pixelLanes; ++iteration) {
+        const uint lane = agaa_lanePixel(iteration);
+        const uvec2 pixel = agaa_pixelOf(lane);
+        const bool isInside = all(lessThan(pixel, agaa_frame.size));
+        agaa_LaneChoice c = agaa_beginLaneChoice(pixel);
+        const uint covered = c.sample_.covered;
+        const uint alike = agaa_alikeSamples(c.sample_);
+        float left;
+        const uint chosen = agaa_chooseMore(c, pixel, isInside ? agaa_wantedSamples(pixel) : 0u,
+                                            isInside ? agaa_shadingDemand(pixel) : 0.0, left);
+        agaa_syncLanes();
+        AGAA_LANE_WORD(agaa_laneIndex(), 0u) = c.owner;
+        agaa_syncLanes();
+        const uint word = agaa_laneSample();
+        if (word < agaa_ownerWords)
+            agaa_laneOwners[lane * agaa_ownerWords + word] = agaa_ownerWord(word, covered);
+        if (word == 0u) {
+            agaa_laneCovered[lane] = covered;
+            agaa_laneFirst[lane] = agaa_samplesOfFirst(c.sample_.first, alike, covered);
+            agaa_laneChosen[lane] = chosen;
+        }
+    }
+    barrier();
+}
+
+uint agaa_chosenSamples(uvec2 pixel) { return agaa_laneChosen[gl_LocalInvocationIndex]; }
+#else
+void agaa_choosePixels() {}
+
+// Returns the mask of shaded samples, which contains the first.
+uint agaa_chosenSamples(uvec2 pixel) {
     const uint lane = gl_LocalInvocationIndex;
-    agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 0.0);
     const uint covered = agaa_beginChoice(pixel);
     const uint first = agaa_firstInOrder(covered);
     agaa_laneCovered[lane] = covered;
     agaa_laneFirst[lane] = agaa_samplesOfFirst(first, agaa_alikeSamples(covered), covered);
-    const uint chosen = agaa_chosenSamples(pixel, covered, first);
-    further.work.covered = uint(bitCount(covered));
-    for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
-        uint i = uint(findLSB(rest));
-        float weight = agaa_eventWeight(agaa_samplesOf(covered, i));
-        further.weights += weight;
-        further.firstWeight += i == first ? weight : 0.0;
-    }
+    float left;
+    const uint chosen = agaa_chooseMore(pixel, covered, 1u << first, agaa_wantedSamples(pixel),
+                                        agaa_shadingDemand(pixel), left);
     uint word = 0u;
     do
         agaa_laneOwners[lane * agaa_ownerWords + word] = agaa_ownerWord(word, covered);
     while (++word < agaa_ownerWords);
+    return chosen;
+}
+#endif
+
+agaa_Further agaa_furtherOf(uvec2 pixel) {
+    const uint lane = gl_LocalInvocationIndex;
+    agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 0.0);
+    const uint chosen = agaa_chosenSamples(pixel);
+    const uint covered = agaa_laneCovered[lane];
+    const uint first = agaa_firstInOrder(covered);
+    further.work.covered = uint(bitCount(covered));
+    for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        float weight = agaa_eventWeight(agaa_ownedSamples(lane, covered, i));
+        further.weights += weight;
+        further.firstWeight += i == first ? weight : 0.0;
+    }
     further.work.events[0] = agaa_showsEvents() ? chosen : chosen & ~(1u << first);
     agaa_count(AGAA_COUNT_VISIBLE, further.work.covered);
     agaa_count(AGAA_COUNT_ONCE, further.work.covered);
@@ -139,6 +196,7 @@ void main() {
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool inside = all(lessThan(pixel, agaa_frame.size));
     agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 1.0);
+    agaa_choosePixels();
     if (inside)
         further = agaa_furtherOf(pixel);
     vec3 color = agaa_isAdaptive(AGAA_ADAPTIVE_LOOP) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);

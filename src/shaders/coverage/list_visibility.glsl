@@ -34,8 +34,8 @@ void agaa_setNearest(uint i, float depth, uint fragment) {
 #endif
 
 // Makes the fragment the nearest of the samples in `mask` where its depth is lowest. With isDecided, returns the
-// samples that show it. Loops are over covered samples, not over pairs of fragments, because software rasterisers of Mesa end
-// all loops of an invocation after 65535 iterations in total.
+// samples that show it. Loops are over covered samples, not over pairs of fragments, because software rasterisers of
+// Mesa end all loops of an invocation after 65535 iterations in total.
 // base   The sample of bit 0.
 // first  The first sample of which nearest depths are kept.
 uint agaa_resolveSamples(uint fragment, agaa_DepthPlane plane, uint mask, uint base, uint first, bool isDecided) {

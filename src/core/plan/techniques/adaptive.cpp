@@ -9,6 +9,7 @@
 #include "core/plan/techniques/generation_tiers.h"
 #include "core/plan/techniques/sample_ids.h"
 #include "core/plan/techniques/techniques.h"
+#include "core/view/lanes.h"
 #include "shaders/tables/choice_words.inc"
 
 #include <bit>
@@ -141,6 +142,13 @@ Dispatch listed(const Adaptive& a, uint32_t list) {
     return {.kind = DispatchKind::Indirect, .arguments = a.choices, .argumentsOffset = 4 * (list + 1)};
 }
 
+// Sets the lanes of a pass that is compiled with the view and has no permutations of lanes.
+void setLanes(const PlanBuilder& b, Pass& pass) {
+    pass.compute().fullSubgroups = b.view().lanes == AGAA_LANES_SAMPLE_SUBGROUP;
+    pass.compute().defines += format("#define AGAA_SAMPLE_LANES %d\n#define AGAA_SUBGROUPS %d\n",
+                                     hasSampleLanes(b.view().lanes), pass.compute().fullSubgroups);
+}
+
 // Adds passes that find the limit of differences at which the target is met.
 void addLimit(PlanBuilder& b, const Adaptive& a) {
     Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
@@ -207,6 +215,8 @@ void build(PlanBuilder& b) {
     b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
     Pass& first = addShading(b, "shade first samples", "shade_first", a);
     b.bindOutput(first, a.firstSamples);
+    if (a.ids) // from a G-buffer it keeps no values of samples
+        setLanes(b, first);
     if (found == AGAA_FOUND_BETWEEN)
         addCounts(b, a);
     addList(b, a);
@@ -234,6 +244,7 @@ static constexpr const GenerationTier* tiers[] = {&sampleIdsTier, &sampleGBuffer
 static constexpr const TechniqueSettings* settings[] = {&adaptiveSettings};
 const Technique adaptiveTechnique = {.name = "adaptive",
                                      .maxSamples = 32,
+                                     .comparesSamples = true,
                                      .tiers = tiers,
                                      .settings = settings,
                                      .build = build,
