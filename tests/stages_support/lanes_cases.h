@@ -44,6 +44,10 @@ inline std::ostream& operator<<(std::ostream& out, const LaneRow& row) {
 
 constexpr uint64_t adaptiveBoth = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
 
+inline LaneRow adaptiveRow(uint32_t tier, uint32_t n, uint64_t flags, float targetEvents = 0) {
+    return {.technique = "adaptive", .tier = tier, .n = n, .c = 1, .adaptive = flags, .targetEvents = targetEvents};
+}
+
 template <class Host> class LaneCases : public testing::Test {
 protected:
     Shown render(const LaneRow& row, AgaaLanes lanes) {
@@ -167,17 +171,8 @@ TYPED_TEST_P(LaneCases, ShowTheSame) {
           LaneRow{"sbaa", AGAA_TIER_GBUFFER, 8, 3},
           LaneRow{.technique = "agaa", .tier = AGAA_TIER_FRAGMENTS, .n = 64, .c = 2, .hasManyFragments = true},
           LaneRow{.technique = "dcaa", .tier = AGAA_TIER_MATERIAL_LISTS, .n = 64, .c = 1, .isExact = true},
-          LaneRow{.technique = "adaptive",
-          .tier = AGAA_TIER_IDS,
-          .n = 8,
-          .c = 1,
-          .adaptive = adaptiveBoth,
-          .targetEvents = 3},
-          LaneRow{.technique = "adaptive",
-          .tier = AGAA_TIER_GBUFFER,
-          .n = 4,
-          .c = 1,
-          .adaptive = adaptiveBoth | AGAA_ADAPTIVE_BUCKETS}})
+          adaptiveRow(AGAA_TIER_IDS, 8, adaptiveBoth, 3),
+          adaptiveRow(AGAA_TIER_GBUFFER, 4, adaptiveBoth | AGAA_ADAPTIVE_BUCKETS)})
         variants += this->compareLanes(row);
     std::printf("%u variants, subgroups of %u lanes\n", variants, this->context.caps().subgroupSize);
     EXPECT_GE(variants, 16u);
@@ -215,7 +210,7 @@ TYPED_TEST_P(LaneCases, MeansOfKeptMaterialsAreTheSame) {
     this->expectSameShown(added, this->render(row, AGAA_LANES_PIXEL), row, AGAA_LANES_PIXEL);
 }
 
-TYPED_TEST_P(LaneCases, ShowTheSameFragmentsWithAllSettings) {
+TYPED_TEST_P(LaneCases, EverySettingOfFragments) {
     for (const uint32_t n : {32u, 64u, 128u}) {
         for (uint32_t c = 1; c <= 4; ++c) {
             this->compareLanes({"agaa", AGAA_TIER_FRAGMENTS, n, c, 0, "", false,
@@ -234,10 +229,9 @@ TYPED_TEST_P(LaneCases, ShowTheSameFragmentsWithAllSettings) {
     }
 }
 
-TYPED_TEST_P(LaneCases, ShowTheSameAdaptiveWithAllSettings) {
+TYPED_TEST_P(LaneCases, EverySettingOfAdaptive) {
     const auto compare = [&](uint32_t tier, uint32_t n, uint64_t flags, float targetEvents = 0) {
-        this->compareLanes(
-            {.technique = "adaptive", .tier = tier, .n = n, .c = 1, .adaptive = flags, .targetEvents = targetEvents});
+        this->compareLanes(adaptiveRow(tier, n, flags, targetEvents));
     };
     for (const uint32_t tier : {AGAA_TIER_IDS, AGAA_TIER_GBUFFER}) {
         for (const uint32_t n : {2u, 4u, 8u, 9u, 16u, 32u})
@@ -250,7 +244,7 @@ TYPED_TEST_P(LaneCases, ShowTheSameAdaptiveWithAllSettings) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, ShowTheSameFragmentsWithAllSettings,
-                            ShowTheSameAdaptiveWithAllSettings, MergeTheSame, MeansOfKeptMaterialsAreTheSame);
+REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, EverySettingOfFragments,
+                            EverySettingOfAdaptive, MergeTheSame, MeansOfKeptMaterialsAreTheSame);
 
 } // namespace agaa::test

@@ -13,6 +13,8 @@ struct agaa_Gloss {
 };
 agaa_Gloss agaa_itemGloss[AGAA_MAX_SAMPLES]; // where AGAA_GLOSS_WEIGHT is set
 agaa_PixelSamples agaa_taken;                // the clustered fragments
+// This precedes all readers, because compilers warn about reads that precede writes.
+void agaa_takeNone() { agaa_taken = agaa_noSamples(); }
 
 // Adds the fragment as number i of the clustered ones.
 void agaa_takeFragment(uvec2 pixel, uint i, uint fragment) {
@@ -64,7 +66,7 @@ uint agaa_groupFragments(uvec2 pixel, uint head, uint shown) {
         agaa_joinFragments(head);
         return min(shown, 1u);
     }
-    agaa_taken = agaa_noSamples();
+    agaa_takeNone();
     uint clustered = agaa_chooseLargest(pixel, head, shown);
     agaa_PixelSamples samples = agaa_withDistance(agaa_taken);
     uint count = agaa_groupSamples(pixel, samples, clustered);
