@@ -31,11 +31,13 @@ std::filesystem::path squareWithUri(const std::string& uri, const std::string& b
     const std::string rest = oneNode(R"("mode":5,"material":0,"attributes":{"POSITION":)" + str(position) + "}") +
                              R"(,"images":[{"uri":")" + uri +
                              R"("}],"textures":[{"source":0}],"materials":[{"emissiveTexture":{"index":0}}])";
+    // Tests run side by side.
+    const std::string stem = std::string("uris-") + testing::UnitTest::GetInstance()->current_test_info()->name();
     if (bufferUri.empty())
-        return file.writeGltf("uris", rest);
-    const std::filesystem::path folder(testing::TempDir());
-    GltfFile::write(folder / "uris.gltf", file.json(rest, bufferUri));
-    return folder / "uris.gltf";
+        return file.writeGltf(stem, rest);
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / (stem + ".gltf");
+    GltfFile::write(path, file.json(rest, bufferUri));
+    return path;
 }
 
 } // namespace

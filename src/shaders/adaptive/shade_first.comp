@@ -2,7 +2,11 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "common/subgroup_extensions.glsl"
+#if AGAA_SAMPLE_LANES
+layout(local_size_x = 64) in; // full subgroups
+#else
 layout(local_size_x = 8, local_size_y = 8) in;
+#endif
 #define AGAA_MAX_EVENTS 1u
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
