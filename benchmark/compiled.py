@@ -49,9 +49,7 @@ The figures below are those of RADV (Mesa 22.3.6) for `navi21`, measured once.
 | `agaa` n=8 c=2, shade aggregates: VGPRs, waves, instructions | 72, 7, 974 | 80, 6, 1,006 | 72, 7, 978 |
 | `dcaa` n=64 S=4, shade surfaces: VGPRs, waves, instructions | 64, 6, 2,210 | 72, 6, 2,268 | 64, 6, 2,214 |
 
-* Passes with functions of the host are compiled with the view and are not optimised. Their figures with the same passes of
-  `spirv-opt` are equal, with `-Os` worse: 256 VGPRs for 232 by id with the preset `accurate`, n=8. Optimising its module takes
-  1 s of processor time; RADV then compiles in 1.4 s for 4.8 s.
+* Passes with functions of the host are compiled with the view and are not optimised.
 * Loops have no hints. The hint to unroll changes no figure, because the shaders hide n from compilers. The hint not to unroll
   costs `ssaa` 8 VGPRs and 8 % of the instructions.
 * Modules declare at most 2 resources that they do not use. Drivers remove them.

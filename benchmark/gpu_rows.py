@@ -41,6 +41,11 @@ def rows():
                   for row in (Row("agaa", n, preset="accurate", tier="ids"), Row("agaa", n, 2, "gbuffer"),
                               Row("agaa", n, 2, "post-depth-atomics"), Row("sbaa", n, 2, "post-depth-atomics"))
                   for lanes in ("pixel", "shared", "subgroup")]
+        found += [dataclasses.replace(Row("adaptive", n, tier="gbuffer"), way=f"lanes {lanes}", more=("--lanes", lanes))
+                  for lanes in ("pixel", "shared", "subgroup")]
+    found += [dataclasses.replace(row, way=f"lanes {lanes}", more=("--lanes", lanes))
+              for row in (Row("dcaa", 64, 4, "lists"), Row("agaa", 64, 4, "fragments"))
+              for lanes in ("pixel", "shared")]
     for n in (16, 32, 4):
         found += [Row(technique, n) for technique in ("ssaa", "simple_complex", "msaa")]
         found += [Row("agaa", n, 2, "ids"), Row("agaa", n, preset="accurate", tier="ids"), Row("agaa", n, 2, "gbuffer"),

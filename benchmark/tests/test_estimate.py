@@ -16,7 +16,7 @@ HARNESS = os.environ["AGAA_HARNESS"]
 GPU = estimate.Gpu(lanes_per_second=1e9, bytes_per_second=1e9, samples_per_second=1e9)
 FIGURES = Figures(vgprs=64, spilled=0, scratch=0, waves=8, instructions=100, lds=0)
 PLAN = {"samples": 8, "passes": [], "lanes": "sample-shared"}
-COUNTERS = {"shadingEvents": 20, "lightEvaluations": 60, "severalEvents": 5}
+COUNTERS = {"shadingEvents": 20, "lightEvaluations": 60, "severalEvents": 5, "shadedPixels": 8}
 
 
 class Bytes(unittest.TestCase):
@@ -36,6 +36,17 @@ class Estimate(unittest.TestCase):
         # Two events and six lights per pixel: two lights are part of the instructions that run once.
         self.assertAlmostEqual(times["arithmetic"], 2 * 100 + 4 * estimate.LIGHT_LOOP)
         self.assertAlmostEqual(times["memory"], 3)
+
+    def test_passes_share_the_events_of_a_frame(self):
+        for names in (("shade single primitives", "aggregate and shade"), ("shade first samples", "shade further samples")):
+            plan = dict(PLAN, passes=[{"name": name} for name in names])
+            first, second = (estimate.work_of(name, plan, COUNTERS, 10) for name in names)
+            self.assertAlmostEqual(first.events + second.events, 2)
+            self.assertAlmostEqual(first.lights + second.lights, 6)
+
+    def test_lanes_of_samples_evaluate_the_lights_of_events(self):
+        times = estimate.estimate({"kind": "compute", "name": "aggregate and shade"}, PLAN, {}, FIGURES, COUNTERS, 10, GPU)
+        self.assertAlmostEqual(times["arithmetic"], 8 * 100 + 4 * estimate.LIGHT_LOOP)
 
     def test_lanes_of_samples_run_each(self):
         times = estimate.estimate({"kind": "compute", "name": "define aggregates"}, PLAN, {}, FIGURES, COUNTERS, 10, GPU)

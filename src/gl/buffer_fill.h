@@ -9,8 +9,7 @@ namespace agaa::gl {
 
 class BufferFill {
 public:
-    // byShader: a compute shader fills if it compiles. A driver of a GPU clears buffers 60 times slower than Vulkan's
-    // does; software devices clear fast.
+    // byShader: a compute shader fills if it compiles. Software devices clear faster.
     BufferFill(const GladGLContext& gl, bool byShader);
     ~BufferFill();
     BufferFill(const BufferFill&) = delete;

@@ -1,4 +1,5 @@
-// The choice of the lanes of passes that group the samples of pixels, and of the memory of passes that merge fragments.
+// The choice of the lanes of passes that compare the samples of pixels, and of the memory of passes that merge
+// fragments.
 #pragma once
 
 #include "agaa_sdk.h"

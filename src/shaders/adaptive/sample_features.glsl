@@ -200,7 +200,7 @@ uint agaa_alikeSamples(agaa_LaneFeatures s) {
     return agaa_samplesWhere(s.isCovered && !agaa_callsForSample(s.difference));
 }
 
-// Returns whether the sample of this lane has geometry.
+// Reads the kept features of sample i, which has geometry. Returns true.
 bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
     f = agaa_unpackFeatures(pixel, i);
     return true;

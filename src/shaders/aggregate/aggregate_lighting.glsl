@@ -105,7 +105,7 @@ void agaa_setLight(uint i, float light) { agaa_sampleLight[i] = light; }
 float agaa_lightOf(uint i) { return agaa_sampleLight[i]; }
 #endif
 
-// Looks the shadow up at samples, without counting the taps. Returns the sum of agaa_lightOf() them.
+// Looks the shadow up at samples, without counting the taps. Returns the sum of agaa_lightOf() over them.
 float agaa_lightSamples(uvec2 pixel, uint map, uint mask) {
     float sum = 0.0;
     for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
@@ -130,7 +130,7 @@ struct agaa_LitPart {
 };
 
 // An includer that defines AGAA_HAS_LIT_PART defines agaa_litPart(). Others define agaa_litMeans(), which returns sums
-// over a pixel's samples, each times scale * agaa_lightOf() it.
+// over a pixel's samples, each weighted by scale * agaa_lightOf().
 // mask   Samples that the light reaches.
 #ifdef AGAA_HAS_LIT_PART
 agaa_LitPart agaa_litPart(uvec2 pixel, uint map, uint mask);

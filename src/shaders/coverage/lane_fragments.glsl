@@ -61,6 +61,7 @@ agaa_Entries agaa_placeEntries(uint count) {
         }
         first += more;
     }
+    barrier(); // without rounds, lanes then write words of their own again
     entries.rounds = first != 0u ? round + 1u : 0u;
     return entries;
 }
