@@ -260,8 +260,8 @@ typedef enum AgaaMerge {
 
 /* Bits of AgaaDecoupledCoverage::flags. */
 /* Keep all fragments and shade those that show at a sample: the reference for AgaaMerge. AgaaConfig::aggregates is
- * not used. Requires maxBatches 1 and a tier with lists; otherwise the view fails with AGAA_ERROR_UNSUPPORTED. The
- * tier MATERIAL_LISTS rounds depth planes and materials as the layout stores them. */
+ * not used. Requires a tier with lists; otherwise the view fails with AGAA_ERROR_UNSUPPORTED. The tier MATERIAL_LISTS
+ * rounds depth planes and materials as the layout stores them. */
 #define AGAA_COVERAGE_EXACT UINT64_C(0x01)
 /* Lists keep the order of the host's draws, as in DCAA (section 3.2). By default they are sorted by depth, so that the
  * order of the draws changes no pixel except at equal depths. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER merge in
@@ -270,9 +270,9 @@ typedef enum AgaaMerge {
 
 /* Controls how "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and
  * RASTER_ORDER have no lists and use neither fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses
- * fragmentsPerPixel, samplePositions and tableSize; if maxBatches is not 1, that view fails with
- * AGAA_ERROR_UNSUPPORTED. Other techniques and tiers check the struct and do not use it. AgaaConfig::surfaceCosine
- * is the smallest cosine between normals that merge; 0 selects the cosine of pi/16, as in the paper. */
+ * fragmentsPerPixel, maxBatches, samplePositions and tableSize. Other techniques and tiers check the struct and do not
+ * use it. AgaaConfig::surfaceCosine is the smallest cosine between normals that merge; 0 selects the cosine of pi/16,
+ * as in the paper. */
 typedef struct AgaaDecoupledCoverage {
     uint32_t sType;
     uint32_t structSize;
@@ -281,11 +281,16 @@ typedef struct AgaaDecoupledCoverage {
     float fragmentsPerPixel; /* capacity of the lists in fragments per pixel, mean over the view, [1, 256]. A frame
                                 needs AgaaCounters::fragments divided by the number of pixels. The capacity is at
                                 least 65536 fragments, and at most what one storage buffer of the device holds */
-    uint32_t maxBatches;     /* largest number of times that a frame draws the scene, [1, 16]. If the lists overflow,
-                                the tiles of the view are divided among the draws after the first. Fragments that
-                                overflow in the last draw are lost, and AgaaCounters::lostFragments counts them.
-                                Vulkan records all draws in each frame; the device skips those that are not needed if
-                                it has AGAA_DEVICE_CONDITIONAL_RENDERING, and otherwise runs all */
+    uint32_t maxBatches;     /* largest number of times that a frame draws the scene, [0, 64]; 0 selects 16, and 2 and 3
+                                select 4. If the lists overflow, the tiles of the view are divided among the draws
+                                after the first. If too few draws are left, or a tile alone overflows, three draws keep
+                                the nearest fragments of each pixel in the tiles concerned: as many as have room if all
+                                of these pixels keep the same number, without those as far as the first that has none.
+                                With 1 the scene is drawn once, and fragments that arrive after the lists are full are
+                                lost, so that frames differ if the order of arrival does. AgaaCounters::lostFragments
+                                counts what is lost, and the view logs one warning. Vulkan records all draws in each
+                                frame; the device skips those that are not needed if it has
+                                AGAA_DEVICE_CONDITIONAL_RENDERING, and otherwise runs all */
     uint32_t reserved;       /* 0 */
     uint64_t flags;          /* AGAA_COVERAGE_… */
     /* Positions of the coverage samples: AgaaConfig::samples pairs x, y in [0, 1) of gl_FragCoord; copied. Null: the
@@ -301,7 +306,7 @@ typedef struct AgaaDecoupledCoverage {
 #define AGAA_DECOUPLED_COVERAGE_INIT                                                                                   \
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE,     \
-            8.0f, 1, 0, 0, NULL, 0, 0                                                                                  \
+            8.0f, 0, 0, 0, NULL, 0, 0                                                                                  \
     }
 AGAA_API void AGAA_CALL agaaInitDecoupledCoverage(AgaaDecoupledCoverage* outCoverage, size_t structSize);
 

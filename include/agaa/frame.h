@@ -123,7 +123,7 @@ typedef struct AgaaDrawTarget {
     uint32_t structSize;
     const void* pNext;
     uint32_t pass;           /* AgaaDrawPassId */
-    uint32_t batch;          /* index of the batch, from 0, if the frame draws the pass more than once */
+    uint32_t batch;          /* index of the batch, from 0, if the frame calls for the pass more than once */
     uint32_t width, height;  /* viewport and scissor, from (0, 0), in texels */
     uint32_t scaleX, scaleY; /* texels per pixel. Multiply screen-space derivatives by these */
     AgaaDrawState state;
@@ -146,8 +146,8 @@ typedef struct AgaaDrawTarget {
  * Returns   AGAA_OK, or any other value to abandon the frame.
  * Vulkan    The SDK begins and ends rendering. Nothing is bound; viewport and scissor are not set. The callback
  *           records its commands inline and executes no command buffers of its own. With
- *           AGAA_DEVICE_CONDITIONAL_RENDERING, batches after the first are within conditional rendering, and the
- *           callback begins none in them.
+ *           AGAA_DEVICE_CONDITIONAL_RENDERING, draws in batches are within conditional rendering, and the callback
+ *           begins none in them. With AGAA_VK_RECORDING_SECONDARY, all batches execute the commands of one call.
  * OpenGL    The host's state is as it was on entry to agaaGlRecordFrame, except for the bindings named in
  *           AgaaGlDeviceDesc. The callback binds the framebuffer and sets the viewport and AgaaDrawState.
  * Threads   The thread that records. The callback must not call the SDK and must not throw; an exception that the

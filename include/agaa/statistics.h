@@ -48,8 +48,7 @@ typedef struct AgaaCounters {
     uint64_t discarded;     /* surfaces, fragments included, that were dropped because the pixel was full */
     uint64_t lostSamples;   /* samples that showed a dropped surface */
     uint64_t lostFragments; /* fragments for which the lists had no room */
-    uint64_t batches;       /* "dcaa" that merges lists: draws of the scene that the frame needed, 1 to
-                               maxBatches */
+    uint64_t batches;       /* tiers with lists: draws of the scene that the frame needed, 1 to maxBatches */
     uint64_t pixelsByEvents[6]; /* pixels with one shading event, with two, with more up to 4, 8 and 16, and with
                                    more than 16. 0 for "msaa" */
     uint64_t lightEvaluations;  /* lights that shading events evaluated, shadowed or not, times shadingCost; "msaa"

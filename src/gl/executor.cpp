@@ -180,7 +180,7 @@ void View::runTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot) {
     } else
         gl.CopyNamedBufferSubData(resources->buffer(pass.copy().source, slot),
                                   resources->buffer(pass.copy().destination, slot), 0, 0,
-                                  GLsizeiptr(plan.resources[pass.copy().source].bytes));
+                                  GLsizeiptr(plan.bytesOf(pass.copy())));
 }
 
 static bool usesOutput(const Plan& plan, const Pass& pass) {
@@ -258,9 +258,9 @@ bool View::isFinished(const Step& step, uint32_t slot) const {
     if (!step.hasPredicate())
         return false;
     context.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    uint32_t predicate = 1;
+    uint32_t predicate = 0;
     readBuffer(step.predicateBuffer, slot, step.predicateOffset, std::as_writable_bytes(std::span(&predicate, 1)));
-    return predicate == 0;
+    return predicate != 0;
 }
 
 void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,

@@ -35,8 +35,8 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
 
 bool View::isConditional(const Step& step) const { return context.conditionalRendering && step.hasPredicate(); }
 
-// The device skips draws and dispatches between beginCondition() and endCondition() if the predicate is 0. Barriers,
-// timestamps, and the commands that begin and end rendering are outside or are not affected.
+// The device skips draws and dispatches between beginCondition() and endCondition() if the predicate is not 0.
+// Barriers, timestamps, and the commands that begin and end rendering are outside or are not affected.
 void View::beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const {
     if (!isConditional(step))
         return;
@@ -44,6 +44,7 @@ void View::beginCondition(const Step& step, uint32_t slot, VkCommandBuffer comma
     info.sType = VK_STRUCTURE_TYPE_CONDITIONAL_RENDERING_BEGIN_INFO_EXT;
     info.buffer = resources->buffer(step.predicateBuffer, slot);
     info.offset = step.predicateOffset;
+    info.flags = VK_CONDITIONAL_RENDERING_INVERTED_BIT_EXT;
     context.vk.CmdBeginConditionalRenderingEXT(commands, &info);
 }
 
@@ -65,17 +66,14 @@ AgaaResult View::callHost(const AgaaFrame& frame, const Step& step, uint32_t slo
 }
 
 // Draw callbacks record into secondary command buffers first: a callback that fails leaves the host's command buffer as
-// it was.
+// it was. The draws of a repetition execute one of them, so that the host records its scene once.
 void View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
-    size_t next = 0;
     for (const Step& step : steps) {
         const Pass& pass = plan.passes[step.pass];
-        if (pass.kind() != PassKind::HostDraw)
+        if (pass.kind() != PassKind::HostDraw || !step.isFirst || !(pass.segment & frame.segments))
             continue;
-        const VkCommandBuffer commands = slots[slot].secondaries[next++];
-        if (!(pass.segment & frame.segments))
-            continue;
-        beginSecondary(context, pass, hostPasses[step.pass], passes[step.pass].target, commands);
+        const VkCommandBuffer commands = slots[slot].secondaries[step.pass];
+        beginSecondary(context, pass, hostPasses[step.pass], passes[step.pass].target, !step.isLast, commands);
         const AgaaResult result = callHost(frame, step, slot, commands);
         check(context.vk.EndCommandBuffer(commands), "vkEndCommandBuffer");
         if (result != AGAA_OK)
@@ -154,7 +152,7 @@ void View::recordTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot, 
         recordFill(pass.fill(), frameIndex, slot, commands);
     } else {
         destination = pass.copy().destination;
-        const VkBufferCopy region{0, 0, plan.resources[pass.copy().source].bytes};
+        const VkBufferCopy region{0, 0, plan.bytesOf(pass.copy())};
         context.vk.CmdCopyBuffer(commands, resources->buffer(pass.copy().source, slot),
                                  resources->buffer(destination, slot), 1, &region);
     }
@@ -167,7 +165,7 @@ void View::recordTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot, 
 }
 
 void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
-                      size_t secondary, uint32_t slot, VkCommandBuffer commands) {
+                      uint32_t slot, VkCommandBuffer commands) {
     const Step& step = steps[number];
     const size_t index = step.pass;
     const Pass& pass = plan.passes[index];
@@ -188,7 +186,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     case PassKind::HostDraw:
         beginHostRendering(context, pass, hostPasses[index], passes[index].target, *resources, commands);
         if (context.secondary)
-            vk.CmdExecuteCommands(commands, 1, &slots[slot].secondaries[secondary]);
+            vk.CmdExecuteCommands(commands, 1, &slots[slot].secondaries[index]);
         else
             result = callHost(frame, step, slot, commands);
         endHostRendering(context, passes[index].target, commands);
@@ -223,13 +221,9 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, cons
         clearPersistent(commands);
         clearedIn_ = frame.frameIndex;
     }
-    size_t secondary = 0;
-    for (size_t number = 0; number < steps.size(); ++number) {
-        const Pass& pass = plan.passes[steps[number].pass];
-        if (pass.segment & frame.segments)
-            recordStep(frame, vkFrame, variant, number, secondary, slot, commands);
-        secondary += pass.kind() == PassKind::HostDraw;
-    }
+    for (size_t number = 0; number < steps.size(); ++number)
+        if (plan.passes[steps[number].pass].segment & frame.segments)
+            recordStep(frame, vkFrame, variant, number, slot, commands);
 }
 
 // Throws the exception at hand as AGAA_ERROR_PARTIAL.

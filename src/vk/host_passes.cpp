@@ -169,7 +169,7 @@ void endHostRendering(const Context& context, const HostRenderTarget& target, Vk
 }
 
 void beginSecondary(const Context& context, const Pass& pass, const HostPass& hostPass, const HostRenderTarget& target,
-                    VkCommandBuffer commands) {
+                    bool repeats, VkCommandBuffer commands) {
     const VkFormat depth = vkFormat(hostPass.depthFormat);
     std::vector<VkFormat> colors;
     for (const ColorAttachment& color : hostPass.colors)
@@ -188,7 +188,8 @@ void beginSecondary(const Context& context, const Pass& pass, const HostPass& ho
     inheritance.framebuffer = target.framebuffer;
     VkCommandBufferBeginInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT | VK_COMMAND_BUFFER_USAGE_RENDER_PASS_CONTINUE_BIT;
+    info.flags = VK_COMMAND_BUFFER_USAGE_RENDER_PASS_CONTINUE_BIT |
+                 (repeats ? VK_COMMAND_BUFFER_USAGE_SIMULTANEOUS_USE_BIT : VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT);
     info.pInheritanceInfo = &inheritance;
     check(context.vk.BeginCommandBuffer(commands, &info), "vkBeginCommandBuffer");
 }

@@ -22,7 +22,8 @@ void beginHostRendering(const Context& context, const Pass& pass, const HostPass
                         const HostRenderTarget& target, const ViewResources& resources, VkCommandBuffer commands);
 void endHostRendering(const Context& context, const HostRenderTarget& target, VkCommandBuffer commands);
 // Begins a secondary command buffer for use inside the pass's rendering.
+// repeats   A frame executes it more than once.
 void beginSecondary(const Context& context, const Pass& pass, const HostPass& hostPass, const HostRenderTarget& target,
-                    VkCommandBuffer commands);
+                    bool repeats, VkCommandBuffer commands);
 
 } // namespace agaa::vk

@@ -172,11 +172,9 @@ Compiled View::compile(const Pass& pass, size_t index) {
 
 void View::createSlots() {
     slots.resize(context.framesInFlight);
-    const auto draws = std::count_if(steps.begin(), steps.end(), [&](const Step& step) {
-        return plan.passes[step.pass].kind() == PassKind::HostDraw;
-    });
+    const bool hasDraws = std::ranges::count(plan.passes, PassKind::HostDraw, &Pass::kind) != 0;
     for (FrameSlot& slot : slots) {
-        if (!context.secondary || draws == 0)
+        if (!context.secondary || !hasDraws)
             continue;
         VkCommandPoolCreateInfo pool{};
         pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
@@ -184,7 +182,7 @@ void View::createSlots() {
         pool.queueFamilyIndex = context.queueFamily;
         check(context.vk.CreateCommandPool(context.device, &pool, nullptr, &slot.pool), "vkCreateCommandPool");
         context.name(VK_OBJECT_TYPE_COMMAND_POOL, (uint64_t)slot.pool, "agaa draw commands");
-        slot.secondaries.resize(size_t(draws));
+        slot.secondaries.resize(plan.passes.size());
         VkCommandBufferAllocateInfo allocate{};
         allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
         allocate.commandPool = slot.pool;

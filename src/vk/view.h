@@ -25,7 +25,7 @@ struct PassObjects {
 // Objects of one frame in flight.
 struct FrameSlot {
     VkCommandPool pool = VK_NULL_HANDLE;
-    std::vector<VkCommandBuffer> secondaries; // one for each step that is a host pass, in order
+    std::vector<VkCommandBuffer> secondaries; // by pass; used by draws of the host
 };
 
 class View : public ViewState {
@@ -73,9 +73,9 @@ private:
     void endCondition(const Step& step, VkCommandBuffer commands) const;
     AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
     void recordSecondaries(const AgaaFrame& frame, uint32_t slot);
-    // secondary: index into FrameSlot::secondaries. number: index of the step.
+    // number: index of the step.
     void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
-                    size_t secondary, uint32_t slot, VkCommandBuffer commands);
+                    uint32_t slot, VkCommandBuffer commands);
     void recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);
     void recordFill(const FillPart& fill, uint64_t frameIndex, uint32_t slot, VkCommandBuffer commands);

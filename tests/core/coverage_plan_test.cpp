@@ -32,10 +32,10 @@ TEST(CoveragePlan, FragmentsWithMaterialsAreOf40Bytes) {
     const uint64_t pixels = uint64_t(spec.width) * spec.height;
     EXPECT_EQ(plan.bytesPerAggregate, 28u);
     EXPECT_EQ(bytesOf(plan, "surfaces"), 112 * pixels);
-    EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 40) * pixels + 64);
+    EXPECT_EQ(bytesOf(plan, "fragments"), listBytes(spec, 40));
     for (const auto& [samples, bytes] : {std::pair{32u, 36u}, {128u, 48u}}) {
         spec.samples = samples;
-        EXPECT_EQ(bytesOf(planFor(spec, idealDevice()), "fragments"), (4 + 8 * bytes) * pixels + 64) << samples;
+        EXPECT_EQ(bytesOf(planFor(spec, idealDevice()), "fragments"), listBytes(spec, bytes)) << samples;
     }
 }
 
@@ -49,7 +49,7 @@ TEST(CoveragePlan, EllipticLobesTakeEightBytes) {
         EXPECT_EQ(plan.view.config.ndf, ndf);
         EXPECT_EQ(plan.bytesPerAggregate, 36u);
         EXPECT_EQ(bytesOf(plan, "surfaces"), 144 * pixels);
-        EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 48) * pixels + 64);
+        EXPECT_EQ(bytesOf(plan, "fragments"), listBytes(spec, 48));
         EXPECT_TRUE(std::ranges::count(plan.effects, "elliptic-lobes"));
     }
     spec.facts = AGAA_FACT_EMISSIVE; // no highlights

@@ -31,6 +31,7 @@ std::vector<uint32_t> withoutRests(const std::vector<uint32_t>& words, size_t pi
 // What a frame leaves in memory.
 template <class Host> Kept keepFrame(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
     settings.config.flags |= AGAA_CONFIG_READBACK;
+    settings.config.coverage.maxBatches = 1; // the lists of one draw
     return showBy<Host>(context, settings, shot, [&](typename Host::View& view) {
         const auto& plan = view.plan();
         KeptBuffers buffers{{}, view.readBuffer("surfaces"), plan.payloadWords, plan.bytesPerAggregate / 4};

@@ -120,9 +120,7 @@ TYPED_TEST_P(FragmentsCases, LoopsOverManyFragmentsEnd) {
 
 // Where settings ask for what no list of fragments gives.
 TYPED_TEST_P(FragmentsCases, SaysWhatItDoesNotDo) {
-    ViewSettings batches = fragmentsSettings(64, 2), buffered = batches, few = batches;
-    batches.config.coverage.maxBatches = 2;
-    expectRefused(this->context, batches, AGAA_ERROR_UNSUPPORTED, "batches");
+    ViewSettings buffered = fragmentsSettings(64, 2), few = buffered;
     buffered.config.flags |= AGAA_CONFIG_BUFFERED;
     expectRefused(this->context, buffered, AGAA_ERROR_UNSUPPORTED, "aggregates in memory");
     few.config.samples = 8;

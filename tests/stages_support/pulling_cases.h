@@ -36,6 +36,7 @@ protected:
     Kept keep(const ViewSettings& settings, const Shot& shot) { return keepFrame<Host>(context, settings, shot); }
     FragmentWords fragments(ViewSettings settings, const Shot& shot) {
         settings.config.flags |= AGAA_CONFIG_READBACK;
+        settings.config.coverage.maxBatches = 1; // the lists of one draw
         return showBy<Host>(context, settings, shot, [](typename Host::View& view) {
             return FragmentWords(view.plan(), view.readBuffer("fragments"));
         });

@@ -5,6 +5,7 @@
 #include "core/frame/frame_data.h"
 #include "core/plan/planner.h"
 #include "core/view/facts.h"
+#include "shaders/tables/layouts.inc"
 
 #include <algorithm>
 
@@ -70,7 +71,28 @@ void ViewState::checkFrame(AgaaFrame& frame, AgaaSceneFacts& facts) const {
     sequence.check(frame);
 }
 
+void ViewState::reportLostFragments(const AgaaFrame& frame) {
+    if (plan.listCounts == noResource || hasReportedLost_ || !sequence.begins(frame))
+        return;
+    const FrameSequence::Slot* newest = sequence.newest(frame.completedFrame);
+    if (!newest || !wasExecuted(*newest))
+        return;
+    uint32_t lost = 0;
+    readBuffer(plan.listCounts, sequence.indexOf(*newest), 4 * AGAA_LIST_LOST,
+               std::as_writable_bytes(std::span(&lost, 1)));
+    if (lost == 0)
+        return;
+    hasReportedLost_ = true;
+    owner.log.write(
+        AGAA_SEVERITY_WARNING, AGAA_OK,
+        format("frame %llu lost %u fragments, because lists with room for %llu and %u draws of the scene do "
+               "not suffice; raise AgaaDecoupledCoverage::fragmentsPerPixel or maxBatches.",
+               static_cast<unsigned long long>(newest->frame), lost,
+               static_cast<unsigned long long>(plan.fragmentCapacity), plan.view.coverage.maxBatches));
+}
+
 void ViewState::uploadFrame(const AgaaFrame& frame, uint32_t slot) {
+    reportLostFragments(frame);
     const std::optional<CounterBuffer> newest = feedback(frame);
     for (ResourceId id = 0; id < plan.resources.size(); ++id) {
         const Resource& resource = plan.resources[id];

@@ -90,6 +90,8 @@ protected:
     void checkFrame(AgaaFrame& frame, AgaaSceneFacts& facts) const;
     // Writes the upload buffers that the frame's segments read.
     void uploadFrame(const AgaaFrame& frame, uint32_t slot);
+    // Logs a warning, once, if the newest finished frame lost fragments.
+    void reportLostFragments(const AgaaFrame& frame);
 
     // Returns whether the device executed the frame of the slot, which must have finished. Plans without stamps cannot
     // tell: the result is true.
@@ -102,6 +104,7 @@ private:
     const Variant* chosen_ = nullptr;  // of the frame that is being recorded
     const Variant* running_ = nullptr; // of the frame that was recorded last
     std::vector<const Variant*> ran_;  // by slot
+    bool hasReportedLost_ = false;
 };
 
 } // namespace agaa

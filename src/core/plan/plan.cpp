@@ -52,6 +52,8 @@ std::pair<uint32_t, uint32_t> Plan::groups(const Dispatch& dispatch) const {
     return {std::min(groups, groupsPerRow), divide(groups, groupsPerRow)};
 }
 
+uint64_t Plan::bytesOf(const CopyPart& copy) const { return copy.bytes ? copy.bytes : resources[copy.source].bytes; }
+
 std::vector<Step> Plan::steps() const {
     std::vector<Step> list;
     auto repeat = repeats.begin();
@@ -63,7 +65,8 @@ std::vector<Step> Plan::steps() const {
         for (uint32_t batch = 0; batch < repeat->times; ++batch)
             for (uint32_t pass = repeat->firstPass; pass <= repeat->lastPass; ++pass) {
                 list.push_back({pass, batch, batch == 0, batch + 1 == repeat->times});
-                if (batch > 0 && pass < repeat->lastPass) {
+                const bool isDraw = passes[pass].kind() == PassKind::HostDraw;
+                if (pass < repeat->lastPass && (batch > 0 || isDraw)) {
                     list.back().predicateBuffer = repeat->predicateBuffer;
                     list.back().predicateOffset = repeat->predicateOffset;
                 }

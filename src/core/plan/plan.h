@@ -190,10 +190,11 @@ struct FillPart {
     uint64_t stampOffset = noStamp;
 };
 
-// The part of a pass that copies a whole buffer.
+// The part of a pass that copies a buffer.
 struct CopyPart {
     ResourceId source = noResource;
     ResourceId destination = noResource;
+    uint64_t bytes = 0; // from the beginning; 0: all
 };
 
 struct Pass {
@@ -220,9 +221,11 @@ struct Pass {
 struct Repeat {
     uint32_t firstPass = 0, lastPass = 0;
     uint32_t times = 1;
-    // A word of this buffer is 0 in all iterations without work. Executors that can read it may end the repetition, or
-    // run only the last pass of such an iteration. After the first iteration only the last pass changes the word. The
-    // range has only dispatches and draws that do not clear, because nothing else can be skipped.
+    // A word of this buffer is 0 in iterations with work, and not 0 in all others. Executors that can read it may end
+    // the repetition, or run only the last pass of an iteration without work. The word is 0 when the range begins, and
+    // after the first iteration only the last pass changes it. The range has only dispatches and draws that do not
+    // clear, because nothing else can be skipped. Draws read the word in the first iteration, too, so that one
+    // recording serves all iterations.
     ResourceId predicateBuffer = noResource;
     uint64_t predicateOffset = 0; // bytes
 };
@@ -232,7 +235,7 @@ struct Step {
     uint32_t pass = 0;
     uint32_t batch = 0;
     bool isFirst = true, isLast = true; // among the steps of the pass
-    // The step has no work if this word of a buffer is 0.
+    // The step has no work if this word of a buffer is not 0. The first iteration always has work.
     ResourceId predicateBuffer = noResource;
     uint64_t predicateOffset = 0; // bytes
     bool hasPredicate() const { return predicateBuffer != noResource; }
@@ -256,11 +259,13 @@ struct Plan {
     ResourceId stamps = noResource;
     uint64_t stampOffset = 0;
     uint32_t bytesPerAggregate = 0;
-    uint64_t fragmentCapacity = 0; // of the lists of all pixels together
-    uint32_t payloadWords = 0;     // of a fragment, in addition to id, next fragment and coverage
-    bool runnable = true;          // false: the plan is a model that is priced and never run
+    uint64_t fragmentCapacity = 0;      // of the lists of all pixels together
+    uint32_t payloadWords = 0;          // of a fragment, in addition to id, next fragment and coverage
+    ResourceId listCounts = noResource; // read-back buffer with the words before AGAA_LIST_HEADS of a finished frame
+    bool runnable = true;               // false: the plan is a model that is priced and never run
 
-    uint32_t depthBits() const;  // of a fixed-point depth buffer; 0: it has floats
+    uint32_t depthBits() const; // of a fixed-point depth buffer; 0: it has floats
+    uint64_t bytesOf(const CopyPart& copy) const;
     uint64_t totalBytes() const; // per-pixel payload
     uint64_t constantBytes() const;
     uint64_t peakBytes() const; // per-pixel payload with disjoint lifetimes aliased

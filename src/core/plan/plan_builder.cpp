@@ -6,6 +6,7 @@
 #include "core/plan/gpu_layout.h"
 #include "core/view/custom_glsl.h"
 #include "core/view/lanes.h"
+#include "shaders/tables/layouts.inc"
 
 #include <algorithm>
 #include <array>
@@ -318,6 +319,25 @@ void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
         bind(pass, slot::Background, BindingType::Texture, output());
 }
 
+CopyPart& PlanBuilder::copy(const std::string& name, ResourceId source, ResourceId destination, uint64_t segment) {
+    Pass pass;
+    pass.name = name;
+    pass.segment = segment;
+    pass.part = CopyPart{.source = source, .destination = destination};
+    plan.passes.push_back(std::move(pass));
+    return std::get<CopyPart>(plan.passes.back().part);
+}
+
+void PlanBuilder::readListCounts(ResourceId lists) {
+    constexpr uint64_t bytes = 4 * AGAA_LIST_HEADS;
+    plan.listCounts = add({.name = "list-counts",
+                           .kind = ResourceKind::ReadbackBuffer,
+                           .format = Format::Buffer,
+                           .bytes = bytes,
+                           .copies = framesInFlight_});
+    copy("read list counts", lists, plan.listCounts, plan.passes.back().segment).bytes = bytes;
+}
+
 void PlanBuilder::copyCounters() {
     if (!counts()) {
         stampFrame();
@@ -328,11 +348,7 @@ void PlanBuilder::copyCounters() {
                                      .format = Format::Buffer,
                                      .bytes = sizeof(CounterBuffer),
                                      .copies = framesInFlight_});
-    Pass pass;
-    pass.name = "read counters";
-    pass.segment = AGAA_SEGMENT_SHADING;
-    pass.part = CopyPart{.source = counters_, .destination = readback};
-    plan.passes.push_back(std::move(pass));
+    copy("read counters", counters_, readback, AGAA_SEGMENT_SHADING);
     plan.stamps = readback;
     plan.stampOffset = offsetof(CounterBuffer, stamp);
 }
@@ -340,7 +356,7 @@ void PlanBuilder::copyCounters() {
 // Marks executed frames in plans without counters.
 void PlanBuilder::stampFrame() {
     const bool isTimed = plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS;
-    if (!isTimed && std::ranges::none_of(plan.resources, &Resource::isPersistent))
+    if (!isTimed && plan.listCounts == noResource && std::ranges::none_of(plan.resources, &Resource::isPersistent))
         return;
     plan.stamps = add({.name = "frame-stamp",
                        .kind = ResourceKind::ReadbackBuffer,

@@ -31,6 +31,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "coverage/surface_position.glsl"
 #include "ids/fetched_means.glsl"
 #include "coverage/clustered_fragments.glsl"
+#include "coverage/listed_tiles.glsl"
 #if AGAA_SAMPLE_LANES
 #include "coverage/lane_fragments.glsl"
 #else
@@ -215,8 +216,15 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 
 void main() {
     agaa_countBegin();
+    agaa_countDraw();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool inside = all(lessThan(pixel, agaa_frame.size));
+    if (!agaa_isTileListed()) { // equal for all lanes
+        if (inside)
+            agaa_awaitDraw(pixel);
+        agaa_countEnd();
+        return;
+    }
     uint head = 0u;
     uint shown = 0u;
     if (inside) {

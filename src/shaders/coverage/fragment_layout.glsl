@@ -1,5 +1,6 @@
-// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, a word for each tile of 8 by 8
-// pixels if the scene may be drawn again, then the fragments. Needs AGAA_SAMPLES, which common/constants.glsl has.
+// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, words for each tile of 8 by 8
+// pixels and for each pixel if the scene may be drawn again, then the fragments. Needs AGAA_SAMPLES, which
+// common/constants.glsl has.
 // Includers that read or write fragments define AGAA_PAYLOAD_WORDS, which is 0 by default.
 //
 // A fragment has the id of its primitive, the next fragment of its pixel, its depth, its coverage, and
@@ -9,6 +10,11 @@
 //
 // Batches: the first draw of the scene counts the fragments of each tile. If all of them have room, it is the only
 // draw. Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.
+//
+// Limited tiles: tiles that too few draws are left for, and tiles whose fragments do not have room together, keep the
+// nearest AGAA_LIST_NEAREST fragments of each pixel. They take three draws, of which the first only makes room. The
+// second one, AGAA_LIST_LIMITING, keeps the least depths of each pixel in the room for fragments. The third one keeps
+// the fragments that are nearer than the last of these, so that the result does not depend on the order of fragments.
 #ifndef AGAA_FRAGMENT_LAYOUT_GLSL
 #define AGAA_FRAGMENT_LAYOUT_GLSL
 #if !defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_SAMPLES)
@@ -31,8 +37,23 @@ uint agaa_tileOf(uvec2 pixel, uvec2 size) {
     return AGAA_LIST_HEADS + size.x * size.y + pixel.y / 8u * agaa_tilesOf(size).x + pixel.x / 8u;
 }
 
+// Returns the index of a pixel's word, ~d if the draw after AGAA_LIST_LIMITING keeps the fragments of a depth below d.
+uint agaa_limitOf(uvec2 pixel, uvec2 size) {
+    uvec2 tiles = agaa_tilesOf(size);
+    return AGAA_LIST_HEADS + size.x * size.y + tiles.x * tiles.y + pixel.y * size.x + pixel.x;
+}
+
 uint agaa_recordOf(uint fragment, uvec2 size, bool hasBatches) {
-    uvec2 tiles = hasBatches ? agaa_tilesOf(size) : uvec2(0u);
-    return AGAA_LIST_HEADS + size.x * size.y + tiles.x * tiles.y + (fragment - 1u) * AGAA_FRAGMENT_WORDS;
+    uvec2 tiles = agaa_tilesOf(size);
+    uint pixels = size.x * size.y;
+    uint forBatches = hasBatches ? tiles.x * tiles.y + pixels : 0u;
+    return AGAA_LIST_HEADS + pixels + forBatches + (fragment - 1u) * AGAA_FRAGMENT_WORDS;
+}
+
+// Returns the index of the first of nearest + 1 words, the least depths of a pixel of a limited tile, in ascending
+// order.
+// limited   AGAA_LIST_LIMITED.
+uint agaa_depthsOf(uvec2 pixel, uvec2 size, uint limited, uint nearest) {
+    return agaa_recordOf(1u, size, true) + (pixel.y * size.x + pixel.x - limited) * (nearest + 1u);
 }
 #endif

@@ -11,6 +11,7 @@ layout(std430, AGAA_BINDING_SURFACES) buffer agaa_SurfaceBlock {
 uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
 void agaa_setSurfaces(uint word, uint value) { agaa_surfaces.words[word] = value; }
 #include "coverage/merged_surfaces.glsl"
+#include "coverage/listed_tiles.glsl"
 
 void agaa_mergePixel(uvec2 pixel) {
     agaa_keptCount = 0u;
@@ -33,32 +34,15 @@ void agaa_mergePixel(uvec2 pixel) {
     }
 }
 
-// Returns whether this draw kept all fragments of the group's tile.
-bool agaa_isTileInBatch() {
-    if (!agaa_hasBatches())
-        return true;
-    uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
-    if (agaa_fragments.words[AGAA_LIST_BATCHES] == 1u)
-        return batch == 0u;
-    return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size)] == batch;
-}
-
-// Returns whether this draw has tiles to keep.
-bool agaa_isDrawNeeded() {
-    uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
-    return batch == 0u || batch < agaa_fragments.words[AGAA_LIST_BATCHES];
-}
-
 void main() {
     agaa_countBegin();
-    if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u && agaa_isDrawNeeded())
-        agaa_count(AGAA_COUNT_BATCHES, 1u);
+    agaa_countDraw();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool isInside = all(lessThan(pixel, agaa_frame.size));
-    bool isInBatch = agaa_isTileInBatch();
-    if (isInside && isInBatch)
+    bool isListed = agaa_isTileListed();
+    if (isInside && isListed)
         agaa_mergePixel(pixel);
-    else if (isInside && agaa_fragments.words[AGAA_LIST_BATCH] == 0u)
-        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)] = 0u; // a further draw makes the list again
+    else if (isInside)
+        agaa_awaitDraw(pixel);
     agaa_countEnd();
 }

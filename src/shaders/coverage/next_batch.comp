@@ -16,5 +16,5 @@ void main() {
     uint next = agaa_fragments.words[AGAA_LIST_BATCH] + 1u;
     agaa_fragments.words[AGAA_LIST_COUNT] = 0u;
     agaa_fragments.words[AGAA_LIST_BATCH] = next;
-    agaa_fragments.words[AGAA_LIST_PREDICATE] = next < agaa_fragments.words[AGAA_LIST_BATCHES] ? 1u : 0u;
+    agaa_fragments.words[AGAA_LIST_FINISHED] = next < agaa_fragments.words[AGAA_LIST_BATCHES] ? 0u : 1u;
 }

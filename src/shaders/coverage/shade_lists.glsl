@@ -4,6 +4,7 @@
 #if !defined(AGAA_OUTPUT_GLSL) || !defined(AGAA_LIST_VISIBILITY_GLSL)
 #error "shade_lists.glsl needs output.glsl and list_visibility.glsl."
 #endif
+#include "coverage/listed_tiles.glsl"
 
 // Returns radiance, or agaa_shownOfEvent(), times the number of samples.
 vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
@@ -46,8 +47,13 @@ void agaa_shadePixel(uvec2 pixel) {
 
 void main() {
     agaa_countBegin();
+    agaa_countDraw();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    if (all(lessThan(pixel, agaa_frame.size)))
+    bool isInside = all(lessThan(pixel, agaa_frame.size));
+    bool isListed = agaa_isTileListed();
+    if (isInside && isListed)
         agaa_shadePixel(pixel);
+    else if (isInside)
+        agaa_awaitDraw(pixel);
     agaa_countEnd();
 }

@@ -1,4 +1,5 @@
 // What tests of all graphics APIs share, by OpenGL.
+#include "batch_cases.h"
 #include "show.h"
 
 #include "adaptive_cases.h"
@@ -31,6 +32,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ValidationTest, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PlanCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DcaaCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FragmentsCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, BatchCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CarriedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PatternCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);

@@ -1,4 +1,5 @@
 // What tests of all graphics APIs share, by Vulkan.
+#include "batch_cases.h"
 #include "show.h"
 
 #include "adaptive_cases.h"
@@ -33,6 +34,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(VulkanRenderPass, PlanCases, VulkanRenderPassHost
 INSTANTIATE_TYPED_TEST_SUITE_P(VulkanUnconditional, PlanCases, VulkanUnconditionalHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DcaaCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FragmentsCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, BatchCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CarriedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PatternCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);

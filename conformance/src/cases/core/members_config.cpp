@@ -202,7 +202,7 @@ void addDecoupledCoverage(Suite& suite) {
             notNumbers({0, -1, below(1), above(256), 3e38}));
         add(
             "maxBatches/range", "AgaaDecoupledCoverage::maxBatches",
-            [](ViewParts& p, double x) { p.coverage.maxBatches = whole(x); }, {1, 2, 15, 16},
+            [](ViewParts& p, double x) { p.coverage.maxBatches = whole(x); }, {0, 1, 2, 63, 64},
             largeNumbers({0, 17, 32}));
         add("reserved/zero", "AgaaDecoupledCoverage::reserved",
             [](ViewParts& p, double x) { p.coverage.reserved = whole(x); }, {0}, largeNumbers({}), {1});

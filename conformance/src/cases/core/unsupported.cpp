@@ -364,35 +364,18 @@ void testTargets(Test& test) {
                      ""}});
 }
 
-// The tier needs all fragments at once.
-void testExact(Test& test) {
-    const auto with = [](const char* technique, uint32_t maxBatches) {
-        return [=](ViewParts& p) {
-            p.setTechnique(technique, 4);
-            p.coverage.flags = AGAA_COVERAGE_EXACT;
-            p.coverage.maxBatches = maxBatches;
-        };
-    };
-    testRows(test, {{"AGAA_COVERAGE_EXACT", AGAA_OK, with("dcaa", 1), ""},
-                    {"AGAA_COVERAGE_EXACT and maxBatches = 2", unsupported, with("dcaa", 2), ""},
-                    {"\"agaa\", AGAA_COVERAGE_EXACT and maxBatches = 2", AGAA_OK, with("agaa", 2), ""}});
-}
-
 // The tier FRAGMENTS of "agaa" groups and shades all fragments in one pass.
 void testFragmentsAtOnce(Test& test) {
-    const auto fragments = [](uint32_t maxBatches, uint64_t flags) {
+    const auto fragments = [](uint64_t flags) {
         return [=](ViewParts& p) {
             p.chain(p.fetch);
             p.config.samples = 64;
             p.config.flags |= flags;
-            p.coverage.maxBatches = maxBatches;
             p.coverage.flags = AGAA_COVERAGE_EXACT; // the flag belongs to "dcaa"
         };
     };
-    testRows(test,
-             {{"the tier FRAGMENTS", AGAA_OK, fragments(1, 0), ""},
-              {"the tier FRAGMENTS and maxBatches = 2", unsupported, fragments(2, 0), ""},
-              {"the tier FRAGMENTS and AGAA_CONFIG_BUFFERED", unsupported, fragments(1, AGAA_CONFIG_BUFFERED), ""}});
+    testRows(test, {{"the tier FRAGMENTS", AGAA_OK, fragments(0), ""},
+                    {"the tier FRAGMENTS and AGAA_CONFIG_BUFFERED", unsupported, fragments(AGAA_CONFIG_BUFFERED), ""}});
 }
 
 void testVisibilityTier(Test& test) {
@@ -453,7 +436,6 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AGAA_TIER_NV_MIXED_SAMPLES/AGAA_ERROR_UNSUPPORTED/queries", testMixedSamples);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_stage", testOtherStage);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_technique", testOtherTechnique);
-    suite.core("AGAA_COVERAGE_EXACT/AGAA_ERROR_UNSUPPORTED", testExact);
     suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
     suite.core("AgaaAdaptiveSampling.targetEvents/AGAA_ERROR_UNSUPPORTED", testTargets);
     suite.core("AGAA_ADAPTIVE_SORTED/AGAA_ERROR_TOO_LARGE", testSorted);

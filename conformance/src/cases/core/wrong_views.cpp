@@ -95,7 +95,7 @@ void addRanges(Rows& rows) {
         p.config.samples = 4;
     });
     add("AgaaDecoupledCoverage::merge = 0x7FFFFFFF", "merge", [](ViewParts& p) { p.coverage.merge = 0x7FFFFFFF; });
-    add("AgaaDecoupledCoverage::maxBatches = 0", "maxBatches", [](ViewParts& p) { p.coverage.maxBatches = 0; });
+    add("AgaaDecoupledCoverage::maxBatches = 65", "maxBatches", [](ViewParts& p) { p.coverage.maxBatches = 65; });
     add("AgaaAdaptiveSampling::shadingScale = NaN", "shadingScale",
         [](ViewParts& p) { p.adaptive.shadingScale = NAN; });
     add("\"ssaa\" and AgaaMeasurement::seeds = 0x7FFFFFFF", "seeds", [](ViewParts& p) {

@@ -52,12 +52,13 @@ void buildNative(PlanBuilder& b) {
 
 // One compute pass clusters and shades the fragments that are visible at coverage samples.
 void shadeFromFragments(PlanBuilder& b) {
-    const FragmentLists lists = drawFragments(b, AGAA_KEPT_PLANE_WORDS + 1); // and the aggregate
+    const FragmentLists lists = drawFragments(b, AGAA_KEPT_PLANE_WORDS + 1, drawSegment(b.view())); // and the aggregate
     Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_fragments", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     lists.bind(b, shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
+    lists.finish(b);
     b.copyCounters();
 }
 
@@ -65,11 +66,9 @@ void resolve(ResolvedView& view) {
     setSurfaceDefaults(view, 0.98f, 1.0f, 1.0f);
     if (view.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
         view.config.surfaceCosine = 2.0f; // no two normals have it
+    resolveBatches(view, view.generationTier == AGAA_TIER_FRAGMENTS);
     if (view.generationTier != AGAA_TIER_FRAGMENTS)
         return;
-    require(!hasBatches(view), AGAA_ERROR_UNSUPPORTED,
-            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; the tier fragments needs all fragments at "
-            "once.");
     require(!(view.config.flags & AGAA_CONFIG_BUFFERED), AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_BUFFERED is not for the tier fragments, which shades aggregates at once.");
 }

@@ -15,14 +15,6 @@ namespace agaa {
 
 namespace {
 
-// Adds a pass of one workgroup that decides which fragments a draw of the scene processes.
-void addBatchPass(PlanBuilder& b, const char* name, const char* shader, ResourceId fragments) {
-    Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, AGAA_SEGMENT_PREPASS);
-    b.bindCommon(pass);
-    b.bind(pass, slot::Fragments, BindingType::StorageBuffer, fragments, true);
-    pass.compute().dispatch = {.kind = DispatchKind::Items, .items = 1};
-}
-
 bool isExact(const ViewSettings& view) { return view.coverage.flags & AGAA_COVERAGE_EXACT; }
 
 // A sample shows one fragment, so that exact coverage shades at most n fragments.
@@ -35,11 +27,9 @@ bool mergesInOrder(const ResolvedView& view) {
 }
 
 void resolve(ResolvedView& view) {
+    resolveBatches(view, !mergesInOrder(view));
     if (!isExact(view))
         return setSurfaceDefaults(view, 0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
-    require(!hasBatches(view), AGAA_ERROR_UNSUPPORTED,
-            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments "
-            "at once.");
     if (mergesInOrder(view))
         fail(AGAA_ERROR_UNSUPPORTED,
              format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
@@ -57,10 +47,10 @@ Aggregation keptSurfaces(const PlanBuilder& b) {
 }
 
 // otherWords: payload of fragments that do not carry the words of a surface.
-FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t otherWords) {
+FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t otherWords, uint64_t segment) {
     if (!carriesMaterials(b.view()))
-        return drawFragments(b, otherWords);
-    const FragmentLists lists = drawFragments(b, surfaces.stride - b.view().samples / 32);
+        return drawFragments(b, otherWords, segment);
+    const FragmentLists lists = drawFragments(b, surfaces.stride - b.view().samples / 32, segment);
     b.plan.passes[lists.firstPass].draw().fragmentContent = FragmentContent::Materials;
     setRecord(b.plan.passes[lists.firstPass], surfaces);
     return lists;
@@ -78,12 +68,13 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
 // Shades the visible part of each fragment. It is the reference for the merge rules.
 void buildExact(PlanBuilder& b) {
     const Aggregation surfaces = keptSurfaces(b);
-    const FragmentLists lists = drawScene(b, surfaces, AGAA_KEPT_PLANE_WORDS);
+    const FragmentLists lists = drawScene(b, surfaces, AGAA_KEPT_PLANE_WORDS, drawSegment(b.view()));
     Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING,
                             carriesMaterials(b.view()) ? "shade_carried" : "shade_fragments", AGAA_SEGMENT_SHADING);
     readLists(b, lists, surfaces, shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
+    lists.finish(b);
     b.copyCounters();
 }
 
@@ -92,7 +83,7 @@ ResourceId surfaceBuffer(PlanBuilder& b) {
 }
 
 Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
-    Pass& pass = drawTriangles(b);
+    Pass& pass = drawTriangles(b, AGAA_SEGMENT_PREPASS);
     pass.draw().fragmentContent = FragmentContent::Merged;
     pass.constants[AGAA_MERGE_RULE] = b.view().coverage.merge;
     setRecord(pass, surfaces);
@@ -138,9 +129,7 @@ bool mergesInSharedMemory(PlanBuilder& b) {
 }
 
 ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
-    const FragmentLists lists = drawScene(b, surfaces, 0);
-    if (hasBatches(b.view()))
-        addBatchPass(b, "divide tiles", "divide_tiles", lists.buffer);
+    const FragmentLists lists = drawScene(b, surfaces, 0, AGAA_SEGMENT_PREPASS);
     const ResourceId kept = surfaceBuffer(b);
     // All passes of a repetition must be in one segment.
     Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION,
@@ -150,11 +139,7 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
     readLists(b, lists, surfaces, merge);
     merge.constants[AGAA_MERGE_RULE] = b.view().coverage.merge;
     b.bind(merge, slot::Surfaces, BindingType::StorageBuffer, kept, true);
-    if (hasBatches(b.view())) {
-        addBatchPass(b, "next batch", "next_batch", lists.buffer);
-        b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.view().coverage.maxBatches,
-                                  lists.buffer, predicateOffset});
-    }
+    lists.finish(b);
     return kept;
 }
 

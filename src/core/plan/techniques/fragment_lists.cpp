@@ -14,6 +14,21 @@ namespace agaa {
 
 bool hasBatches(const ViewSettings& view) { return view.coverage.maxBatches > 1; }
 
+uint64_t drawSegment(const ViewSettings& view) {
+    return hasBatches(view) ? AGAA_SEGMENT_SHADING : AGAA_SEGMENT_PREPASS;
+}
+
+// The first draw counts, and limited tiles take three draws (src/shaders/coverage/fragment_layout.glsl).
+constexpr uint32_t leastBatches = 4, usualBatches = 16;
+
+void resolveBatches(ViewSettings& view, bool hasLists) {
+    uint32_t& batches = view.coverage.maxBatches;
+    if (!hasLists)
+        batches = 1;
+    else if (batches != 1)
+        batches = batches ? std::max(batches, leastBatches) : usualBatches;
+}
+
 namespace {
 
 // Hosts may chain the struct for all techniques. Other values of n have no coverage samples and no positions.
@@ -35,7 +50,7 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     view.coverage.pNext = nullptr;
     checkRange(uint64_t(c.merge), 0, AGAA_MERGE_NONE, "AgaaDecoupledCoverage::merge");
     checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
-    checkRange(uint64_t(c.maxBatches), 1, 16, "AgaaDecoupledCoverage::maxBatches");
+    checkRange(uint64_t(c.maxBatches), 0, 64, "AgaaDecoupledCoverage::maxBatches");
     checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
     checkFlags(c.flags, AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER, "AgaaDecoupledCoverage::flags");
     if (c.tableSize)
@@ -53,9 +68,9 @@ struct ListSizes {
 
 ListSizes listSizes(const PlanBuilder& b) {
     const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
-    const uint64_t words = hasBatches(b.view()) ? tiles(b.view().width) * tiles(b.view().height) : 0;
-    return {AGAA_LIST_HEADS + uint64_t(b.view().width) * b.view().height + words,
-            AGAA_FRAGMENT_MASK_AT + b.view().samples / 32 + b.plan.payloadWords};
+    const uint64_t pixels = uint64_t(b.view().width) * b.view().height;
+    const uint64_t forBatches = hasBatches(b.view()) ? tiles(b.view().width) * tiles(b.view().height) + pixels : 0;
+    return {AGAA_LIST_HEADS + pixels + forBatches, AGAA_FRAGMENT_MASK_AT + b.view().samples / 32 + b.plan.payloadWords};
 }
 
 ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
@@ -82,27 +97,35 @@ ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
 namespace {
 
 // Adds a table with the coverage masks of half-planes, for sample positions that the host sets.
-ResourceId makeCoverageTable(PlanBuilder& b) {
+ResourceId makeCoverageTable(PlanBuilder& b, uint64_t segment) {
     constexpr uint32_t usualSize = 128; // the paper names none
     const uint32_t size = b.view().coverage.tableSize ? b.view().coverage.tableSize : usualSize;
     require(b.view().coveragePositions.size() == 2 * b.view().samples, AGAA_ERROR_INTERNAL,
             "positions of coverage samples are of another number of samples.");
     b.passConstants()[AGAA_TABLE_SIZE] = size;
     const ResourceId table = b.squareImage("coverage-table", Format::RGBA32U, size);
-    Pass& fill = b.compute("fill coverage table", AGAA_STAGE_GENERATION, "coverage_table", AGAA_SEGMENT_PREPASS);
+    Pass& fill = b.compute("fill coverage table", AGAA_STAGE_GENERATION, "coverage_table", segment);
     fill.compute().dispatch = {.kind = DispatchKind::Items, .items = uint64_t(size) * size};
-    b.bind(fill, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_PREPASS));
+    b.bind(fill, slot::Frame, BindingType::UniformBuffer, b.frameConstants(segment));
     b.bind(fill, slot::CoverageTableOut, BindingType::StorageImage, table, true);
     b.note(format("coverage: by a table of %u x %u half-planes, because the host says where the samples lie.", size,
                   size));
     return table;
 }
 
+// Adds a pass of one workgroup that decides which fragments a draw of the scene processes.
+void addBatchPass(PlanBuilder& b, const char* name, const char* shader, const FragmentLists& lists) {
+    Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, b.plan.passes[lists.firstPass].segment);
+    b.bindCommon(pass);
+    lists.bindAlone(b, pass);
+    pass.compute().dispatch = {.kind = DispatchKind::Items, .items = 1};
+}
+
 } // namespace
 
-Pass& drawTriangles(PlanBuilder& b) {
-    const ResourceId table = b.view().coveragePositions.empty() ? noResource : makeCoverageTable(b);
-    Pass& pass = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
+Pass& drawTriangles(PlanBuilder& b, uint64_t segment) {
+    const ResourceId table = b.view().coveragePositions.empty() ? noResource : makeCoverageTable(b, segment);
+    Pass& pass = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, segment);
     b.bindCommon(pass);
     if (table != noResource)
         b.bind(pass, host_slot::CoverageTable, BindingType::Texture, table);
@@ -115,15 +138,26 @@ Pass& drawTriangles(PlanBuilder& b) {
     return pass;
 }
 
-FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords) {
+FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords, uint64_t segment) {
     b.plan.payloadWords = payloadWords;
     const ListSizes sizes = listSizes(b);
     FragmentLists lists{makeLists(b, sizes)};
-    b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, AGAA_SEGMENT_PREPASS).fill().bytes = 4 * sizes.heads;
-    Pass& pass = drawTriangles(b);
+    b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, segment).fill().bytes = 4 * sizes.heads;
+    Pass& pass = drawTriangles(b, segment);
     lists.firstPass = uint32_t(b.plan.passes.size() - 1);
     b.bind(pass, host_slot::Fragments, BindingType::StorageBuffer, lists.buffer, true);
+    if (hasBatches(b.view()))
+        addBatchPass(b, "divide tiles", "divide_tiles", lists);
     return lists;
+}
+
+void FragmentLists::finish(PlanBuilder& b) const {
+    if (hasBatches(b.view())) {
+        addBatchPass(b, "next batch", "next_batch", *this);
+        b.plan.repeats.push_back({firstPass, uint32_t(b.plan.passes.size() - 1), b.view().coverage.maxBatches, buffer,
+                                  4 * AGAA_LIST_FINISHED});
+    }
+    b.readListCounts(buffer);
 }
 
 void FragmentLists::bind(PlanBuilder& b, Pass& pass) const {

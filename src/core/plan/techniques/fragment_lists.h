@@ -14,17 +14,22 @@ struct FragmentLists {
 
     void bind(PlanBuilder& b, Pass& pass) const; // binds the host's fetch function, too
     void bindAlone(PlanBuilder& b, Pass& pass) const;
+    // Ends the passes that use the lists. A batch repeats all of them, so that they belong to the segment of the draw.
+    void finish(PlanBuilder& b) const;
 };
 
 // Adds a draw of the scene with a fragment for each pixel that a triangle touches.
-Pass& drawTriangles(PlanBuilder& b);
+Pass& drawTriangles(PlanBuilder& b, uint64_t segment);
 
 // Returns whether the scene is drawn again if the lists overflow.
 bool hasBatches(const ViewSettings& view);
-inline constexpr uint64_t predicateOffset = 4 * AGAA_LIST_PREDICATE; // of the repetition's predicate, in bytes
+// Returns the segment of draws whose fragments a pass shades without merging: all passes of a batch are in one segment.
+uint64_t drawSegment(const ViewSettings& view);
+// Sets AgaaDecoupledCoverage::maxBatches to the number of draws that the plan has.
+void resolveBatches(ViewSettings& view, bool hasLists);
 
 // payloadWords: words of a fragment that the draw with materials or a later pass writes.
-FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords);
+FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords, uint64_t segment);
 
 extern const TechniqueSettings coverageSettings;
 
