@@ -59,7 +59,7 @@ struct PlanArguments {
     double glossWeight = 0;
     std::string merge = "visible";
     std::string fragmentsPerPixel = "8"; // a number, or auto
-    uint32_t maxBatches = 1;
+    uint32_t maxBatches = 0;
     bool exact = false;
     bool drawOrder = false;
     std::string coveragePattern = "library";

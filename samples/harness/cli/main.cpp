@@ -42,7 +42,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--merge", a.merge, "dcaa: what a discarded surface gives to another, visible, paper or none");
     app.add_option("--fragments-per-pixel", a.fragmentsPerPixel,
                    "that lists of fragments have room for; auto: as a frame needs");
-    app.add_option("--max-batches", a.maxBatches, "dcaa: draws of the scene where the lists have too little room");
+    app.add_option("--max-batches", a.maxBatches, "draws of the scene where lists have too little room; 0: 16");
     app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
     app.add_flag("--draw-order", a.drawOrder, "lists of fragments keep the order of the draws");
     app.add_option("--coverage-pattern", a.coveragePattern,

@@ -203,7 +203,7 @@ void addDecoupledCoverage(Suite& suite) {
         add(
             "maxBatches/range", "AgaaDecoupledCoverage::maxBatches",
             [](ViewParts& p, double x) { p.coverage.maxBatches = whole(x); }, {0, 1, 2, 63, 64},
-            largeNumbers({0, 17, 32}));
+            largeNumbers({65, 128}));
         add("reserved/zero", "AgaaDecoupledCoverage::reserved",
             [](ViewParts& p, double x) { p.coverage.reserved = whole(x); }, {0}, largeNumbers({}), {1});
         add(

@@ -364,6 +364,21 @@ void testTargets(Test& test) {
                      ""}});
 }
 
+// Only lists keep all fragments.
+void testExact(Test& test) {
+    const auto exact = [](uint32_t tier) {
+        return [=](ViewParts& p) {
+            p.setTechnique("dcaa", 4);
+            p.config.generationTier = tier;
+            p.coverage.flags = AGAA_COVERAGE_EXACT;
+        };
+    };
+    testRows(test, {{"AGAA_COVERAGE_EXACT", AGAA_OK, exact(AGAA_TIER_AUTO), ""},
+                    {"AGAA_COVERAGE_EXACT and the tier FRAGMENT_INTERLOCK", unsupported,
+                     exact(AGAA_TIER_FRAGMENT_INTERLOCK), ""},
+                    {"AGAA_COVERAGE_EXACT and the tier RASTER_ORDER", unsupported, exact(AGAA_TIER_RASTER_ORDER), ""}});
+}
+
 // The tier FRAGMENTS of "agaa" groups and shades all fragments in one pass.
 void testFragmentsAtOnce(Test& test) {
     const auto fragments = [](uint64_t flags) {
@@ -436,6 +451,7 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AGAA_TIER_NV_MIXED_SAMPLES/AGAA_ERROR_UNSUPPORTED/queries", testMixedSamples);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_stage", testOtherStage);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_technique", testOtherTechnique);
+    suite.core("AGAA_COVERAGE_EXACT/AGAA_ERROR_UNSUPPORTED", testExact);
     suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
     suite.core("AgaaAdaptiveSampling.targetEvents/AGAA_ERROR_UNSUPPORTED", testTargets);
     suite.core("AGAA_ADAPTIVE_SORTED/AGAA_ERROR_TOO_LARGE", testSorted);
