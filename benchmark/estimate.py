@@ -62,12 +62,12 @@ def options_of(configuration):
 
 
 def pass_bytes(plan):
-    """The bytes per pixel of each surface of each pass, with those of the host's output."""
+    """The bytes per pixel of each surface by pass, with those of the host's output. Passes may have equal names."""
     pixels = plan["width"] * plan["height"]
-    found = {}
+    found = []
     for one in plan["passes"]:
-        found[one["name"]] = {name: size / pixels for name, size in one["traffic"].items()}
-        found[one["name"]].update({name: OUTPUT_BYTES for name in one["writes"] if name == "output"})
+        found.append({name: size / pixels for name, size in one["traffic"].items()})
+        found[-1].update({name: OUTPUT_BYTES for name in one["writes"] if name == "output"})
     return found
 
 
@@ -122,10 +122,9 @@ def rows_of(configuration, plan, compiled, counters):
     """One row per pass: names, bytes, milliseconds per million pixels and the kind that bounds it."""
     pixels = plan["width"] * plan["height"]
     traffic = pass_bytes(plan)
-    total = sum(sum(part.values()) for part in traffic.values())
+    total = sum(sum(part.values()) for part in traffic)
     rows = []
-    for one in plan["passes"]:
-        bytes_of_pass = traffic[one["name"]]
+    for one, bytes_of_pass in zip(plan["passes"], traffic):
         times = estimate(one, plan, bytes_of_pass, compiled.get((configuration[1], one["name"])), counters, pixels)
         rows.append({"pass": one["name"], "bytes": sum(bytes_of_pass.values()), "times": times,
                      "share": sum(bytes_of_pass.values()) / total, "bound": max(times, key=times.get),

@@ -25,7 +25,7 @@ class Bytes(unittest.TestCase):
             arguments = ["--size", "64x64", *estimate.options_of(configuration)]
             plan = ask_json(HARNESS, "plan", *arguments)
             price = ask_json(HARNESS, "price", *arguments)["view"]
-            surfaces = [(name, size) for one in estimate.pass_bytes(plan).values() for name, size in one.items()]
+            surfaces = [(name, size) for one in estimate.pass_bytes(plan) for name, size in one.items()]
             total = sum(64 * 64 * size for name, size in surfaces if name != "output")
             self.assertAlmostEqual(total, price["trafficBytes"], delta=1, msg=configuration[0])
 
@@ -63,6 +63,15 @@ class Estimate(unittest.TestCase):
         rows = estimate.rows_of(("x", "y", []), plan, {("y", "shade samples"): FIGURES}, COUNTERS)
         self.assertEqual([row["bound"] for row in rows], ["memory", "arithmetic"])
         self.assertEqual([row["bytes"] for row in rows], [4, 4 + estimate.OUTPUT_BYTES])
+
+
+    def test_passes_of_equal_names_count_each(self):
+        clears = [{"kind": "fill", "name": "clear", "reads": [], "writes": [name], "traffic": {name: size}}
+                  for name, size in (("a", 40), ("b", 120))]
+        plan = {"width": 10, "height": 1, "samples": 1, "resources": [], "passes": clears}
+        rows = estimate.rows_of(("x", "y", []), plan, {}, COUNTERS)
+        self.assertEqual([row["bytes"] for row in rows], [4, 12])
+        self.assertEqual([row["share"] for row in rows], [0.25, 0.75])
 
 
 class Page(unittest.TestCase):
