@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 using namespace agaa;
 using namespace agaa::test;
@@ -126,6 +127,55 @@ TEST(Lanes, PassesAreCompiledForTheChoice) {
         }
         EXPECT_EQ(passes, 2u);
     }
+}
+
+// Returns the SPIR-V of all permutations of a pass that have a switch.
+std::vector<std::span<const uint32_t>> permutationsWith(const std::string& shader, Switch which) {
+    const std::span<const Switch> switches = passSwitches(shader);
+    std::vector<std::span<const uint32_t>> found;
+    for (uint32_t bits = 0; bits < 1u << switches.size(); ++bits) {
+        std::string name = shader + '_';
+        bool isOn = false;
+        for (size_t i = 0; i < switches.size(); ++i) {
+            name += {switchLetter(switches[i]), char('0' + (bits >> i & 1u))};
+            isOn |= switches[i] == which && (bits >> i & 1u);
+        }
+        if (isOn && !embeddedSpirv(name).empty())
+            found.push_back(embeddedSpirv(name));
+    }
+    return found;
+}
+
+// Returns the size of the workgroups of a module, or zeros.
+std::array<uint32_t, 3> localSize(std::span<const uint32_t> spirv) {
+    constexpr uint32_t header = 5, executionMode = 16, localSizeMode = 17;
+    for (size_t i = header; i < spirv.size() && spirv[i] >> 16 > 0; i += spirv[i] >> 16)
+        if ((spirv[i] & 0xFFFF) == executionMode && spirv[i + 2] == localSizeMode)
+            return {spirv[i + 3], spirv[i + 4], spirv[i + 5]};
+    return {};
+}
+
+// Vulkan requires that the size of subgroups divides the width of workgroups with full subgroups. The passes require
+// rows of 64 lanes, which hold whole pixels.
+TEST(Lanes, WorkgroupsWithFullSubgroupsAreRowsOf64Lanes) {
+    const char* const shaders[] = {
+#define AGAA_SWITCH(...)
+#define AGAA_PASS(folder, shader, ...) #shader,
+#define AGAA_NEVER(...)
+#define AGAA_HOST_PASS(...)
+#include "shaders/tables/permutations.inc"
+#undef AGAA_SWITCH
+#undef AGAA_PASS
+#undef AGAA_NEVER
+#undef AGAA_HOST_PASS
+    };
+    size_t modules = 0;
+    for (const char* shader : shaders)
+        for (const std::span<const uint32_t> spirv : permutationsWith(shader, Switch::Subgroups)) {
+            ++modules;
+            EXPECT_EQ(localSize(spirv), (std::array<uint32_t, 3>{64, 1, 1})) << shader;
+        }
+    EXPECT_GT(modules, 40u);
 }
 
 ViewSpec mergingSpec(uint32_t samples, uint32_t surfaces, AgaaLanes lanes, AgaaTier tier) {
