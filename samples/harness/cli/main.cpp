@@ -34,7 +34,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--brdf", a.brdf, "blinn-phong or ggx");
     app.add_option("--ndf", a.ndf, "none, toksvig, lean or sggx");
     app.add_option("--seeds", a.seeds, "maximin or sum-of-squares");
-    app.add_option("--lanes", a.lanes, "of passes that group samples: auto, pixel, shared or subgroup");
+    app.add_option("--lanes", a.lanes, "of passes with several variants: auto, pixel, shared or subgroup");
     app.add_option("--k", a.k, "characteristic length in scene units");
     app.add_option("--k-per-distance", a.kPerDistance, "at least this times the distance");
     app.add_option("--threshold", a.threshold, "t: least distance between aggregates");

@@ -19,7 +19,7 @@ struct ResolvedView : ViewSettings {
     uint32_t scaleX = 1, scaleY = 1;            // texels of the target per pixel
     AgaaTier generationTier = AGAA_TIER_AUTO;   // AUTO: the technique has no generation stage
     const GenerationTier* generation = nullptr; // the row of generationTier, or null
-    AgaaLanes lanes = AGAA_LANES_AUTO;          // of passes that group samples; AUTO: the view has none
+    AgaaLanes lanes = AGAA_LANES_AUTO;          // of passes with several variants; AUTO: the view has none
     std::vector<std::string> notes;             // why tiers were chosen and settings ignored, one sentence each
 
     bool knowsMaterials() const { return generation && generation->knowsMaterials; }

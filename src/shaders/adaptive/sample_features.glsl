@@ -7,7 +7,8 @@
 #ifndef AGAA_SAMPLE_LANES
 #define AGAA_SAMPLE_LANES 0
 #endif
-#define AGAA_GROUPING_WORDS 8u // features, and three of aggregate/lanes.glsl
+// A lane exchanges the five words of its features and three words of aggregate/lanes.glsl.
+#define AGAA_GROUPING_WORDS 8u
 #include "math/adaptive.glsl"
 #include "adaptive/adaptive_flags.glsl"
 #include "gbuffer/gbuffer.glsl"
