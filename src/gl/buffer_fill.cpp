@@ -1,6 +1,5 @@
 #include "gl/buffer_fill.h"
 
-#include "core/base/error.h"
 #include "gl/bindings.h"
 #include "gl/program.h"
 
@@ -25,6 +24,7 @@ void main() {
 }
 )";
 
+// Accesses of frames after a fill: shaders, copies and uploads, dispatch arguments, constants and texel buffers.
 constexpr GLbitfield laterAccesses = GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                                      GL_BUFFER_UPDATE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |
                                      GL_TEXTURE_FETCH_BARRIER_BIT;
@@ -34,11 +34,7 @@ constexpr GLbitfield laterAccesses = GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_I
 BufferFill::BufferFill(const GladGLContext& gl, bool byShader) : gl_(gl) {
     if (!byShader)
         return;
-    try {
-        program_ = linkProgram(gl, {{GL_COMPUTE_SHADER, text}}, "the shader that fills buffers");
-    } catch (const Error&) {
-        return;
-    }
+    program_ = linkProgram(gl, {{GL_COMPUTE_SHADER, text}}, "the shader that fills buffers");
     gl.ShaderStorageBlockBinding(program_, 0, bindingPointOf(slot::Aggregates));
     gl.ObjectLabel(GL_PROGRAM, program_, -1, "agaa fill");
 }

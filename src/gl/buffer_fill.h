@@ -9,15 +9,18 @@ namespace agaa::gl {
 
 class BufferFill {
 public:
-    // byShader: a compute shader fills if it compiles. Software devices clear faster.
+    // byShader: a compute shader fills, which on GPUs is faster than a clear by the API. Throws AGAA_ERROR_DEVICE if
+    // the driver does not compile it.
     BufferFill(const GladGLContext& gl, bool byShader);
     ~BufferFill();
     BufferFill(const BufferFill&) = delete;
     BufferFill& operator=(const BufferFill&) = delete;
 
     // Fills the first bytes of a buffer, a multiple of 4. The caller issues barriers for stores before the call as for
-    // glBufferSubData; the words are visible to all later commands. A shader changes the program and the storage
-    // binding of the aggregates, and must not run while textures of the draw framebuffer are bound.
+    // glBufferSubData. The words are visible to later storage and image accesses of shaders, texture fetches, uniform
+    // blocks, indirect commands, and updates and copies of buffers. Vertex and index fetches, reads through mapped
+    // memory and queries need a barrier of the caller. A shader changes the program and the storage binding of the
+    // aggregates, and must not run while textures of the draw framebuffer are bound.
     void fill(GLuint buffer, uint64_t bytes, uint32_t value) const;
 
 private:

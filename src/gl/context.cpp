@@ -181,7 +181,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc,
 Context::~Context() { destroyObjects(); }
 
 void Context::createObjects() {
-    bufferFill.emplace(gl, !(caps.flags & AGAA_DEVICE_SOFTWARE));
+    createFill();
     gl.CreateSamplers(1, &shadowSampler);
     requireObject(gl, shadowSampler, "glCreateSamplers");
     label(GL_SAMPLER, shadowSampler, "agaa shadow sampler");
@@ -215,6 +215,18 @@ void Context::createObjects() {
     requireObject(gl, emptyShadowMap, "glCreateTextures");
     label(GL_TEXTURE, emptyShadowMap, "agaa no shadow");
     gl.TextureStorage3D(emptyShadowMap, 1, GL_DEPTH_COMPONENT16, 1, 1, 1);
+}
+
+void Context::createFill() {
+    try {
+        bufferFill.emplace(gl, !(caps.flags & AGAA_DEVICE_SOFTWARE));
+    } catch (const Error& error) {
+        if (error.code != AGAA_ERROR_DEVICE)
+            throw;
+        log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
+                  format("agaaGlCreateContext: buffers are cleared by the API: %s", error.message.c_str()));
+        bufferFill.emplace(gl, false);
+    }
 }
 
 void Context::destroyObjects() {

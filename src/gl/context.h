@@ -60,6 +60,7 @@ public:
 
 private:
     void createObjects();
+    void createFill(); // clears by the API if the driver does not compile the shader
     void destroyObjects();
 
     bool notifiesReset_ = false; // the context was created with GL_LOSE_CONTEXT_ON_RESET

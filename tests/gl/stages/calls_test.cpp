@@ -4,6 +4,7 @@
 
 #include "gl/pass_clock.h"
 
+#include <cstring>
 #include <utility>
 
 namespace agaa::test {
@@ -70,6 +71,37 @@ TEST(GlCalls, NothingIsFetchedFromTheBoundFramebuffer) {
         EXPECT_GT(dispatches, 1u);
         EXPECT_EQ(fedBack, 0u) << policy;
     }
+}
+
+// The driver is said to be a GPU's, so that a shader fills buffers, whose text is refused.
+const GLubyte* GLAD_API_PTR stringOfAGpu(GLenum name) {
+    return name == GL_RENDERER ? reinterpret_cast<const GLubyte*>("a GPU") : real().GetString(name);
+}
+void GLAD_API_PTR sourceWithoutFill(GLuint shader, GLsizei count, const GLchar* const* texts, const GLint* lengths) {
+    const GLchar* const wrong = "#version 430\nwrong";
+    const bool fills = std::strstr(texts[0], "block.words[i] = value") != nullptr;
+    real().ShaderSource(shader, count, fills ? &wrong : texts, fills ? nullptr : lengths);
+}
+
+TEST(GlCalls, AShaderThatDoesNotFillIsReplacedWithAWarning) {
+    Replaced replaced;
+    replace(replaced, "glGetString", stringOfAGpu);
+    {
+        const StageContext fills(contextDesc(replaced));
+        EXPECT_FALSE(fills.caps().flags & AGAA_DEVICE_SOFTWARE);
+        EXPECT_TRUE(fills.lines.empty());
+    }
+    replace(replaced, "glShaderSource", sourceWithoutFill);
+    Bench bench(benchSettings(), contextDesc(replaced));
+    ASSERT_EQ(bench.context.lines.size(), 1u);
+    EXPECT_EQ(bench.context.lines[0].code, AGAA_OK);
+    EXPECT_NE(bench.context.lines[0].text.find("the shader that fills buffers does not compile"), std::string::npos)
+        << bench.context.lines[0].text;
+    const std::vector<float> cleared = bench.picture();
+    EXPECT_TRUE(bench.context.lines.empty()) << "the warning is not repeated";
+    sharedEgl().takeMessages(); // the driver may tell of the wrong text
+    Bench usual(benchSettings(), contextDesc());
+    EXPECT_EQ(cleared, usual.picture());
 }
 
 const char queryOfSamples[] = "GL_NV_internalformat_sample_query";

@@ -1,6 +1,7 @@
 #include "frame_host.h"
 
 #include "gl/bindings.h"
+#include "gl/context.h"
 
 #include <algorithm>
 #include <array>
@@ -176,6 +177,10 @@ FrameHost::~FrameHost() {
     gl_.DeleteTextures(1, &shadowMap_);
     gl_.DeleteTextures(1, &fetchColour_);
     gl_.DeleteBuffers(1, &fetchCorners_);
+}
+
+void FrameHost::fillByShader(const GladGLContext& gl) {
+    static_cast<gl::Context&>(*context_).bufferFill.emplace(gl, true);
 }
 
 void FrameHost::bindFetched() {

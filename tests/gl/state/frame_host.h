@@ -49,6 +49,8 @@ public:
     AgaaResult record(const AgaaFrame& frame, uint32_t outputTexture);
     AgaaResult record() { return record(frame(), output); }
     void readStatistics();
+    // Fills buffers by the shader, as on GPUs. gl: its functions fill; it must outlive the context.
+    void fillByShader(const GladGLContext& gl);
 
     std::vector<StateText> read() const;
     // Leaves the context as it was when the host was made, but for the bindings by number.

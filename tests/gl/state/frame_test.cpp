@@ -351,6 +351,41 @@ TEST_P(FrameTest, drawsTheSameWithoutSaving) {
     }
 }
 
+// Software devices clear by the API, and GPUs fill by a shader.
+class FilledFrameTest : public FrameTest {
+protected:
+    static inline const GladGLContext* driver = nullptr;
+    static inline uint32_t fills = 0; // dispatches of the shader that fills
+    static void GLAD_API_PTR countFill(GLuint x, GLuint y, GLuint z) {
+        ++fills;
+        driver->DispatchCompute(x, y, z);
+    }
+};
+
+TEST_P(FilledFrameTest, byAShaderLeavesTheSameStateAndPicture) {
+    driver = &context.gl();
+    GladGLContext counting = *driver;
+    counting.DispatchCompute = countFill;
+    ASSERT_TRUE(start(AGAA_GL_STATE_RESTORE));
+    host->clearOutput();
+    ASSERT_EQ(host->record(), AGAA_OK);
+    const std::vector<float> expected = host->picture();
+    host->fillByShader(counting);
+    for (uint32_t seed = 70; seed < 72; ++seed) {
+        fills = 0;
+        const auto entry = scrambled(seed);
+        expectInCallbacks(entry);
+        ASSERT_EQ(host->record(), AGAA_OK) << joined(host->log);
+        EXPECT_GT(fills, 0u);
+        expectState(entry, "after a frame that fills by the shader");
+        EXPECT_EQ(host->picture(), expected) << seed;
+    }
+    host.reset(); // before the functions that its context calls
+}
+
+INSTANTIATE_TEST_SUITE_P(gl, FilledFrameTest, testing::Combine(testing::Bool(), testing::Values(FrameCase{"Agaa", {}})),
+                         [](const auto& info) { return std::get<0>(info.param) ? "Compatibility" : "Core"; });
+
 INSTANTIATE_TEST_SUITE_P(gl, FrameTest, testing::Combine(testing::Bool(), testing::ValuesIn(kCases)),
                          [](const auto& info) {
                              return std::string(std::get<1>(info.param).name) +
