@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 
+#include <cstdlib>
 #include <memory>
 #include <set>
 
@@ -386,7 +387,17 @@ TEST_P(FilledFrameTest, byAShaderLeavesTheSameStateAndPicture) {
 INSTANTIATE_TEST_SUITE_P(gl, FilledFrameTest, testing::Combine(testing::Bool(), testing::Values(FrameCase{"Agaa", {}})),
                          [](const auto& info) { return std::get<0>(info.param) ? "Compatibility" : "Core"; });
 
-INSTANTIATE_TEST_SUITE_P(gl, FrameTest, testing::Combine(testing::Bool(), testing::ValuesIn(kCases)),
+// Cases have the profiles in turn. With AGAA_ALL_SETTINGS in the environment each case has both.
+std::vector<std::tuple<bool, FrameCase>> casesOfProfiles() {
+    std::vector<std::tuple<bool, FrameCase>> cases;
+    for (size_t i = 0; i < std::size(kCases); ++i)
+        for (const bool compatibility : {false, true})
+            if (std::getenv("AGAA_ALL_SETTINGS") || compatibility == (i % 2 != 0))
+                cases.emplace_back(compatibility, kCases[i]);
+    return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(gl, FrameTest, testing::ValuesIn(casesOfProfiles()),
                          [](const auto& info) {
                              return std::string(std::get<1>(info.param).name) +
                                     (std::get<0>(info.param) ? "Compatibility" : "Core");
