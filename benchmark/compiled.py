@@ -98,6 +98,8 @@ def configurations():
     for tier in ("gbuffer", "ids"):
         for n in (4, 8, 9, 16, 32):
             add("adaptive", "adaptive", n, tier=tier)
+        for n in (8, 16):
+            add("adaptive target", "adaptive", n, "--target-events", 1.5, tier=tier)
     for tier in (*TWO_PASSES, "gbuffer"):
         for n in (4, 8, 16, 32):
             for surfaces in (1, 2, 4, 6):
@@ -122,7 +124,8 @@ def configurations():
         for n in (32, 64, 128):
             for surfaces in (1, 2, 4, 8):
                 add("dcaa", "dcaa", n, "--aggregates", surfaces, tier=tier)
-        add("dcaa exact", "dcaa", 64, "--exact", tier=tier)
+        for n in (32, 64, 128):
+            add("dcaa exact", "dcaa", n, "--exact", tier=tier)
         add("dcaa lean", "dcaa", 64, "--aggregates", 4, "--ndf", "lean", tier=tier)
     return found
 
