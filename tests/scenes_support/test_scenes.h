@@ -21,6 +21,11 @@ std::vector<TestScene> builtinTestScenes();
 // is beside the source tree.
 std::vector<TestScene> sharedTestScenes();
 std::vector<TestScene> allTestScenes();
+// Returns whether tests render setting number `index` of a product. They render every second one, and with
+// AGAA_ALL_SETTINGS in the environment all of them.
+bool rendersSetting(size_t index);
+// Returns the number of a built-in scene, or 0.
+size_t sceneNumber(const std::string& name);
 // Skips the running test if a shared scene is missing.
 void expectSharedScenes();
 
@@ -55,8 +60,9 @@ void expectImagesRepeat(Renderer& renderer, const RenderSettings& settings, bool
 // equal depths.
 void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings);
 // Bit by bit, of each tier with coverage samples and in both depth conventions: vertex shaders that expand triangles,
-// beside geometry shaders. pulling: may have no geometry shaders. Both have loaded the scene.
-void expectExpansionsAgree(Renderer& geometry, Renderer& pulling, RenderSettings settings);
+// beside geometry shaders. pulling: may have no geometry shaders. Both have loaded the scene. share: 0 or 1, of the
+// pairs of a tier and a depth convention those that the test renders.
+void expectExpansionsAgree(Renderer& geometry, Renderer& pulling, RenderSettings settings, size_t share);
 // The generation tiers' images, within a stated mean difference; prints it under the scene's name.
 void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name);
 // Aggregates in memory or not, draws fetched or not, the preset accurate by id or from a G-buffer: within stated mean

@@ -397,11 +397,9 @@ std::vector<std::tuple<bool, FrameCase>> casesOfProfiles() {
     return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(gl, FrameTest, testing::ValuesIn(casesOfProfiles()),
-                         [](const auto& info) {
-                             return std::string(std::get<1>(info.param).name) +
-                                    (std::get<0>(info.param) ? "Compatibility" : "Core");
-                         });
+INSTANTIATE_TEST_SUITE_P(gl, FrameTest, testing::ValuesIn(casesOfProfiles()), [](const auto& info) {
+    return std::string(std::get<1>(info.param).name) + (std::get<0>(info.param) ? "Compatibility" : "Core");
+});
 
 } // namespace
 } // namespace agaa::test
