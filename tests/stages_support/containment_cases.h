@@ -4,6 +4,7 @@
 #pragma once
 
 #include "containment.h"
+#include "setting_share.h"
 #include "view_bench.h"
 
 #include "core/abi/handles.h"
@@ -50,9 +51,9 @@ TYPED_TEST_SUITE_P(ContainmentCases);
 TYPED_TEST_P(ContainmentCases, HardCase37ABadFragmentIsContained) {
     constexpr TechniqueTier unfiltered{.technique = "single", .n = 1};
     const GridFrames single = this->render(unfiltered, BadGrid::materials(unfiltered));
-    for (const TechniqueTier& tier : techniqueTiers()) {
+    for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
         SCOPED_TRACE(testing::Message() << tier);
-        if (!this->runs(tier))
+        if (!rendersSetting<TypeParam>(setting++) || !this->runs(tier))
             continue;
         const BadGrid grid = BadGrid::materials(tier);
         const GridFrames frames = this->render(tier, grid);

@@ -2,6 +2,7 @@
 // that tests know.
 #pragma once
 
+#include "setting_share.h"
 #include "shown.h"
 
 #include <gtest/gtest.h>
@@ -11,20 +12,6 @@
 #include <span>
 
 namespace agaa::test {
-
-template <class Host> class HardCaseTest : public testing::Test {
-protected:
-    // Over a background of colours that tests know.
-    static Shown render(ViewSettings settings, const std::vector<Triangle>& triangles,
-                        const std::vector<AgaaLight>& lights) {
-        typename Host::Context context;
-        settings.facts.shadowMapCount = 0;
-        return show(context, settings, {.triangles = triangles, .lights = lights, .change = [](AgaaFrame& frame) {
-                                            const float background[4] = {0.25f, 0.5f, 0.75f, 1};
-                                            std::memcpy(frame.background, background, sizeof background);
-                                        }});
-    }
-};
 
 inline Material facing(const glm::vec3& diffuse) {
     Material m;
@@ -51,6 +38,25 @@ constexpr Setting hardSettings[] = {{"single", 1},
                                     {"agaa", 32, AGAA_TIER_IDS}};
 // Of agaa with several samples.
 constexpr std::span<const Setting> aggregateSettings = std::span(hardSettings).subspan(3);
+
+template <class Host> class HardCaseTest : public testing::Test {
+protected:
+    // Over a background of colours that tests know.
+    Shown render(ViewSettings settings, const std::vector<Triangle>& triangles, const std::vector<AgaaLight>& lights) {
+        settings.facts.shadowMapCount = 0;
+        return show(context, settings, {.triangles = triangles, .lights = lights, .change = [](AgaaFrame& frame) {
+                                            const float background[4] = {0.25f, 0.5f, 0.75f, 1};
+                                            std::memcpy(frame.background, background, sizeof background);
+                                        }});
+    }
+    // Returns whether this graphics API renders a setting of hardSettings.
+    static bool renders(const Setting& s, size_t further = 0) {
+        return rendersSetting<Host>(size_t(&s - hardSettings) + further);
+    }
+
+    typename Host::Context context;
+};
+
 inline ViewSettings pixelView(const Setting& s, uint32_t c = 2) {
     ViewSettings settings;
     settings.width = 32;

@@ -5,6 +5,7 @@
 
 #include "agreement.h"
 #include "carried_cases.h"
+#include "setting_share.h"
 
 #include "core/abi/handles.h"
 
@@ -51,10 +52,12 @@ TYPED_TEST_P(InterlockCases, MergesAsLists) {
         float masked;
         uint32_t ndf;
     };
-    for (const Case& c : {Case{64, 4, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN},
-                          {64, 2, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
-                          {32, 8, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG},
-                          {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE}}) {
+    for (size_t setting = 0; const Case& c : {Case{64, 4, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN},
+                                              {64, 2, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
+                                              {32, 8, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG},
+                                              {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE}}) {
+        if (!rendersSetting<TypeParam>(setting++))
+            continue;
         SCOPED_TRACE(c.samples);
         const Shot shot{.triangles =
                             c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),

@@ -28,6 +28,7 @@ struct LaneRow {
     bool hasManyFragments = false;       // manyFragmentsInTile() with c above 2, otherwise manyFragments()
     uint64_t adaptive = 0;               // AGAA_ADAPTIVE_…
     float targetEvents = 0;
+    bool hasShadow = *preset != 0; // of the first light
 
     bool isMerging() const { return std::strcmp(technique, "dcaa") == 0 && !isExact; }
     // Passes over lists have no variant with subgroup operations.
@@ -39,7 +40,7 @@ inline std::ostream& operator<<(std::ostream& out, const LaneRow& row) {
                << row.preset << " flags=" << row.flags << (row.isMixed ? " some unfetched" : "")
                << " seeds=" << row.seeds << " merge=" << row.merge << " ndf=" << row.ndf
                << (row.isExact ? " exact" : "") << (row.hasManyFragments ? " many fragments" : "")
-               << " adaptive=" << row.adaptive << " target=" << row.targetEvents;
+               << " adaptive=" << row.adaptive << " target=" << row.targetEvents << (row.hasShadow ? " shadow" : "");
 }
 
 constexpr uint64_t adaptiveBoth = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
@@ -70,7 +71,7 @@ protected:
         settings.config.coverage.flags |= row.isExact ? AGAA_COVERAGE_EXACT : 0;
         settings.config.adaptive.flags = row.adaptive;
         settings.config.adaptive.targetEvents = row.targetEvents;
-        const bool hasShadow = *row.preset;
+        const bool hasShadow = row.hasShadow;
         settings.facts.shadowMapCount = hasShadow + row.hasTwoLit;
         if (row.hasTwoLit)
             settings.config.aggregation.litShadows = 3;
@@ -178,6 +179,23 @@ TYPED_TEST_P(LaneCases, ShowTheSame) {
     EXPECT_GE(variants, 16u);
 }
 
+// Each number of samples and of aggregates, each tier and each flag occurs here or in ShowTheSame.
+// ShowTheSameWithAllSettings compares their product.
+TYPED_TEST_P(LaneCases, ShowTheSameInACoveringSet) {
+    for (const LaneRow& row :
+         {LaneRow{"agaa", AGAA_TIER_IDS, 2, 1}, LaneRow{"agaa", AGAA_TIER_GBUFFER, 2, 2, 0, "", true},
+          LaneRow{"agaa", AGAA_TIER_GBUFFER, 4, 2, AGAA_CONFIG_BUFFERED},
+          LaneRow{"sbaa", AGAA_TIER_POST_DEPTH_ATOMICS, 4, 1},
+          LaneRow{"agaa", AGAA_TIER_IDS, 8, 4, 0, "balanced", true},
+          LaneRow{"agaa", AGAA_TIER_IDS, 16, 3, AGAA_CONFIG_BUFFERED},
+          LaneRow{"agaa", AGAA_TIER_GBUFFER, 16, 4, AGAA_CONFIG_SPLIT_SURFACES, "balanced"},
+          LaneRow{"sbaa", AGAA_TIER_GBUFFER, 32, 3}})
+        this->compareLanes(row);
+    LaneRow shadowed = adaptiveRow(AGAA_TIER_GBUFFER, 8, adaptiveBoth, 2.5f);
+    shadowed.hasShadow = true;
+    this->compareLanes(shadowed);
+}
+
 // OpenGL has the shaders of Vulkan: it compares one n.
 TYPED_TEST_P(LaneCases, ShowTheSameWithAllSettings) {
     this->compareAllSettings(8);
@@ -244,7 +262,8 @@ TYPED_TEST_P(LaneCases, EverySettingOfAdaptive) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameWithAllSettings, EverySettingOfFragments,
-                            EverySettingOfAdaptive, MergeTheSame, MeansOfKeptMaterialsAreTheSame);
+REGISTER_TYPED_TEST_SUITE_P(LaneCases, ShowTheSame, ShowTheSameInACoveringSet, ShowTheSameWithAllSettings,
+                            EverySettingOfFragments, EverySettingOfAdaptive, MergeTheSame,
+                            MeansOfKeptMaterialsAreTheSame);
 
 } // namespace agaa::test

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interlock_cases.h"
+#include "setting_share.h"
 
 #include "shaders/tables/layouts.inc"
 
@@ -79,6 +80,8 @@ TYPED_TEST_P(PullingCases, FragmentsAndSurfacesAreThoseOfGeometryShaders) {
             for (const bool isReversed : {false, true}) {
                 if (isReversed && samples != 64)
                     continue; // the width of masks and the near plane are apart
+                if (!rendersSetting<TypeParam>(samples / 64 + isReversed + (tier == AGAA_TIER_MATERIAL_LISTS)))
+                    continue;
                 SCOPED_TRACE(std::string(agaaTierName(tier)) + ", " + std::to_string(samples) + " samples, reversed " +
                              std::to_string(isReversed));
                 ViewSettings settings = dcaaSettings(samples, 4, tier);

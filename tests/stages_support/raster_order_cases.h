@@ -3,6 +3,7 @@
 
 #include "interlock_cases.h"
 #include "pattern_cases.h"
+#include "setting_share.h"
 
 namespace agaa::test {
 
@@ -38,11 +39,13 @@ TYPED_TEST_P(RasterOrderCases, MergesAsLists) {
         uint32_t ndf;
         bool hasOwnPattern = false;
     };
-    for (const Case& c : {Case{64, 3, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN},
-                          {64, 4, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
-                          {32, 4, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG},
-                          {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE},
-                          {32, 2, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_TOKSVIG, true}}) {
+    for (size_t setting = 0; const Case& c : {Case{64, 3, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN},
+                                              {64, 4, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
+                                              {32, 4, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG},
+                                              {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE},
+                                              {32, 2, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_TOKSVIG, true}}) {
+        if (!rendersSetting<TypeParam>(setting++))
+            continue;
         SCOPED_TRACE(c.samples);
         const Shot shot{.triangles =
                             c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),

@@ -48,6 +48,7 @@ struct OpenGLHost {
 
     // Of configurations that differ little some are left to Vulkan: drivers are slow to compile each view's passes.
     static constexpr bool runsAll = false;
+    static constexpr size_t settingShare = 1;
 
     // Of a context that change(desc) changes.
     template <class Change> static OpenGLContextDesc changed(const Change& change) {

@@ -29,6 +29,7 @@ struct VulkanHost {
     using Ids = IdsView;
     static constexpr auto recordFrame = agaaVkRecordFrame;
     static constexpr bool runsAll = true;
+    static constexpr size_t settingShare = 0;
     static constexpr bool runsAtOnce = false;
 
     // Of a context that change(desc) changes.
