@@ -68,6 +68,10 @@ bool rendersSetting(size_t index) {
     return rendersAll || index % 2 == 0;
 }
 
+bool isSceneOf(const TestScene& test, const char* scene, const char* other) {
+    return test.name == scene || (test.name == other && rendersSetting(1));
+}
+
 size_t sceneNumber(const std::string& name) {
     const auto scenes = builtinScenes();
     const auto found = std::ranges::find(scenes, name, &BuiltinScene::name);

@@ -24,6 +24,9 @@ std::vector<TestScene> allTestScenes();
 // Returns whether tests render setting number `index` of a product. They render every second one, and with
 // AGAA_ALL_SETTINGS in the environment all of them.
 bool rendersSetting(size_t index);
+// Returns whether the test is of `scene`. With AGAA_ALL_SETTINGS in the environment it may be of `other`, too, which
+// the other graphics API renders.
+bool isSceneOf(const TestScene& test, const char* scene, const char* other);
 // Returns the number of a built-in scene, or 0.
 size_t sceneNumber(const std::string& name);
 // Skips the running test if a shared scene is missing.
