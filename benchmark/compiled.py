@@ -178,8 +178,8 @@ class Compiler:
     def compile(self, configuration, chip):
         """The figures of each pass of a configuration by name, or the reason for which the SDK refuses it."""
         done, lines = self.run(configuration, chip, [] if self.counters else ["--no-counters"])
-        # Frames with counters fail after their pipelines are compiled, because no frame is executed.
-        if done.returncode == 0 or (lines and self.counters):
+        # Frames that the device must mark fail after their pipelines are compiled, because no frame is executed.
+        if done.returncode == 0 or (lines and (self.counters or "not of the frame" in last_line(done))):
             return passes_of(lines, chip)
         return last_line(done)
 
