@@ -33,6 +33,23 @@ Traffic trafficOf(const Access& access, const Pass& pass) {
     return {};
 }
 
+// Returns the bytes of a surface that a pass uses.
+uint64_t bytesUsed(const Plan& plan, const Pass& pass, const Resource& resource) {
+    switch (pass.kind()) {
+    case PassKind::Fill:
+        return pass.fill().bytes ? pass.fill().bytes : resource.bytes;
+    case PassKind::Copy:
+        return plan.bytesOf(pass.copy());
+    case PassKind::Compute: // a single lane or workgroup decides by a few words
+        return pass.compute().dispatch.kind == DispatchKind::Items && pass.compute().dispatch.items == 1
+                   ? 0
+                   : resource.bytes;
+    case PassKind::HostDraw:
+        break;
+    }
+    return resource.bytes;
+}
+
 } // namespace
 
 std::map<ResourceId, uint64_t> trafficOf(const Plan& plan, const Pass& pass) {
@@ -48,9 +65,7 @@ std::map<ResourceId, uint64_t> trafficOf(const Plan& plan, const Pass& pass) {
         const Resource& resource = plan.resources[id];
         if (!resource.isPerPixel())
             continue;
-        const bool isPart = pass.kind() == PassKind::Fill && pass.fill().bytes > 0;
-        bytes[id] =
-            checkedMultiply(isPart ? pass.fill().bytes : resource.bytes, uint64_t(traffic.reads) + traffic.writes);
+        bytes[id] = checkedMultiply(bytesUsed(plan, pass, resource), uint64_t(traffic.reads) + traffic.writes);
     }
     return bytes;
 }
