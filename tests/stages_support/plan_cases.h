@@ -70,7 +70,7 @@ inline void buildEndingGroup(PlanBuilder& b) {
     bindWords(b, work, words, true);
     Pass& decide =
         planPass(b, "decide", wordsText,
-                 "    if (item != 0u)\n        return;\n    ++words[2];\n    words[3] = words[2] < 3u ? 1u : 0u;\n");
+                 "    if (item != 0u)\n        return;\n    ++words[2];\n    words[3] = words[2] < 3u ? 0u : 1u;\n");
     dispatchItems(decide, 1);
     bindWords(b, decide, words, true);
     b.plan.repeats.push_back({first, first + 2, 6, words, 12});
