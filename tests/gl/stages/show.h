@@ -60,6 +60,7 @@ struct OpenGLHost {
     static bool skips(const Context&) { return true; }
     static constexpr bool runsAtOnce = true;      // a call that fails has run its first passes
     static constexpr bool endsRepetitions = true; // the CPU reads the word
+    static constexpr bool isCalledOnce = false;
     static std::vector<float> rgba(const View& view) { return view.image(); }
     static ShadowMap shadowMap(const Context& context, float depth) {
         return test::shadowMap(context.egl().gl(), depth);

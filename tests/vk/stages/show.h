@@ -36,6 +36,7 @@ struct VulkanHost {
     template <class Change> static HostOptions changed(const Change& change) { return {.change = change}; }
     // Whether turns of a group that have nothing to do are skipped.
     static constexpr bool endsRepetitions = false;
+    static constexpr bool isCalledOnce = true; // for all turns of a draw
     static bool skips(const Context& context) {
         AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
         EXPECT_EQ(agaaVkGetContextCaps(context.get(), &caps), AGAA_OK);
@@ -66,6 +67,7 @@ struct VulkanRenderPassHost {
     using Context = RenderPassContext;
     using View = StageView;
     static constexpr bool endsRepetitions = false;
+    static constexpr bool isCalledOnce = false;
     static bool skips(const Context& context) { return VulkanHost::skips(context); }
     static std::vector<float> rgba(const View& view) { return VulkanHost::rgba(view); }
 };
@@ -78,6 +80,7 @@ struct VulkanUnconditionalHost {
     using Context = UnconditionalContext;
     using View = StageView;
     static constexpr bool endsRepetitions = false;
+    static constexpr bool isCalledOnce = true;
     static bool skips(const Context& context) { return VulkanHost::skips(context); }
     static std::vector<float> rgba(const View& view) { return VulkanHost::rgba(view); }
 };
