@@ -366,14 +366,15 @@ void testTargets(Test& test) {
 
 // Only lists keep all fragments.
 void testExact(Test& test) {
-    const auto exact = [](uint32_t tier) {
+    const auto exact = [](uint32_t tier, uint64_t flags = AGAA_COVERAGE_EXACT) {
         return [=](ViewParts& p) {
             p.setTechnique("dcaa", 4);
             p.config.generationTier = tier;
-            p.coverage.flags = AGAA_COVERAGE_EXACT;
+            p.coverage.flags = flags;
         };
     };
     testRows(test, {{"AGAA_COVERAGE_EXACT", AGAA_OK, exact(AGAA_TIER_AUTO), ""},
+                    {"the tier FRAGMENT_INTERLOCK", AGAA_OK, exact(AGAA_TIER_FRAGMENT_INTERLOCK, 0), ""},
                     {"AGAA_COVERAGE_EXACT and the tier FRAGMENT_INTERLOCK", unsupported,
                      exact(AGAA_TIER_FRAGMENT_INTERLOCK), ""},
                     {"AGAA_COVERAGE_EXACT and the tier RASTER_ORDER", unsupported, exact(AGAA_TIER_RASTER_ORDER), ""}});
