@@ -54,25 +54,43 @@ uint agaa_resolveSamples(uint fragment, agaa_DepthPlane plane, uint mask, uint b
     return shown;
 }
 
-// Resolves the samples of a fragment from sample `first` on. With isDecided, removes the samples from its mask that
-// show another fragment.
-void agaa_resolveFragment(uint fragment, uint record, uint first, bool isDecided) {
+// Resolves the contested samples of a fragment from sample `first` on. With isDecided, removes the samples from its
+// mask that show another fragment.
+void agaa_resolveFragment(uint fragment, uint record, uvec4 contested, uint first, bool isDecided) {
     agaa_DepthPlane plane = agaa_listedPlane(record);
-#if AGAA_SAMPLE_LANES
-    const uint at = record + AGAA_FRAGMENT_MASK_AT + first / 32u;
-    const uint samples = (1u << agaa_samplesAtOnce) - 1u << (first & 31u);
-    const uint mask = agaa_fragments.words[at];
-    uint shown = agaa_resolveSamples(fragment, plane, mask & samples, first & ~31u, first, isDecided);
-    if (isDecided)
-        agaa_fragments.words[at] = mask & ~samples | shown;
-#else
-    for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word) {
+    const uint words = (agaa_samplesAtOnce + 31u) / 32u;
+    for (uint word = first / 32u; word < first / 32u + words; ++word) {
         const uint at = record + AGAA_FRAGMENT_MASK_AT + word;
-        uint shown = agaa_resolveSamples(fragment, plane, agaa_fragments.words[at], 32u * word, 0u, isDecided);
+        const uint mask = agaa_fragments.words[at];
+        uint samples = contested[word];
+        if (agaa_samplesAtOnce < 32u)
+            samples &= (1u << (agaa_samplesAtOnce & 31u)) - 1u << (first & 31u);
+        uint shown = agaa_resolveSamples(fragment, plane, mask & samples, 32u * word, first, isDecided);
         if (isDecided)
-            agaa_fragments.words[at] = shown;
+            agaa_fragments.words[at] = mask & ~samples | shown;
     }
-#endif
+}
+
+// Removes samples from the mask of each fragment of a sorted list that fragments before it hide, because none of their
+// depths is greater than any of its. Returns the samples that more than one fragment still has.
+uvec4 agaa_hideByOrder(uint head) {
+    uvec4 covered = uvec4(0u), contested = uvec4(0u);
+    float farthest = -3e38; // depth of the fragments that cover
+    for (uint fragment = head; fragment != 0u;) {
+        uint record = agaa_record(fragment);
+        uvec4 mask = agaa_maskOf(record);
+        vec2 range = agaa_listedPlane(record).range;
+        bool isBehind = range.x >= farthest; // of equal depths the first of the list shows
+        if (isBehind) {
+            mask &= ~covered;
+            agaa_setMask(record, mask);
+        }
+        contested |= mask & covered;
+        covered |= mask;
+        farthest = mask == uvec4(0u) ? farthest : max(farthest, range.y);
+        fragment = agaa_nextOf(record);
+    }
+    return contested;
 }
 
 // Removes fragments without samples from a list. Returns its first fragment.
@@ -102,14 +120,16 @@ uint agaa_resolveList(uvec2 pixel) {
     agaa_keepPlanes(pixel, head);
     if (head == 0u || agaa_nextOf(agaa_record(head)) == 0u)
         return head; // a fragment alone shows at all its samples
-    for (uint first = 0u; first < AGAA_SAMPLES; first += agaa_samplesAtOnce) {
+    const uvec4 contested = agaa_hideByOrder(head);
+    const uint end = contested == uvec4(0u) ? 0u : AGAA_SAMPLES;
+    for (uint first = 0u; first < end; first += agaa_samplesAtOnce) {
         for (uint i = 0u; i < agaa_samplesAtOnce; ++i)
             agaa_setNearest(i, 0.0, 0u);
         for (uint pass = 0u; pass < 2u; ++pass) {
             uint fragment = head;
             while (fragment != 0u) {
                 uint record = agaa_record(fragment);
-                agaa_resolveFragment(fragment, record, first, pass == 1u);
+                agaa_resolveFragment(fragment, record, contested, first, pass == 1u);
                 fragment = agaa_nextOf(record);
             }
         }

@@ -22,4 +22,6 @@ bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out 
     spread = agaa_keptSpread(record);
     return true;
 }
+
+vec2 agaa_listedRange(uvec2 pixel, uint record) { return agaa_keptPlane(record).range; }
 #include "coverage/merge_lists.glsl"

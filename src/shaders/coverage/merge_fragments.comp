@@ -32,4 +32,8 @@ bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out 
         spread = agaa_spreadOfFragment(s.normal, m.normalDx, m.normalDy, s.mask);
     return true;
 }
+
+vec2 agaa_listedRange(uvec2 pixel, uint record) {
+    return agaa_growingDepth(agaa_planeOf(agaa_primitive(agaa_fragments.words[record]), pixel)).range;
+}
 #include "coverage/merge_lists.glsl"

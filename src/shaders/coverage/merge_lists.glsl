@@ -1,7 +1,7 @@
 // Merges the fragments of each pixel, from front to back, into surfaces in memory. The includer defines
 // bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material,
-// out agaa_NormalSpread spread), which returns false for fragments at the far plane. Needs AGAA_BINDING_SURFACES,
-// common/counters.glsl and coverage/list_order.glsl.
+// out agaa_NormalSpread spread), which returns false for fragments at the far plane, and agaa_listedRange()
+// (coverage/hidden_fragments.glsl). Needs AGAA_BINDING_SURFACES, common/counters.glsl and coverage/list_order.glsl.
 #if !defined(AGAA_BINDING_SURFACES) || !defined(AGAA_COUNTERS_GLSL) || !defined(AGAA_LIST_ORDER_GLSL)
 #error "merge_lists.glsl needs AGAA_BINDING_SURFACES, counters.glsl and list_order.glsl."
 #endif
@@ -12,10 +12,20 @@ uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
 void agaa_setSurfaces(uint word, uint value) { agaa_surfaces.words[word] = value; }
 #include "coverage/merged_surfaces.glsl"
 #include "coverage/listed_tiles.glsl"
+#include "coverage/hidden_fragments.glsl"
+
+// Returns the first fragment of the pixel's sorted list of those that are merged. In the order of draws
+// (AGAA_COVERAGE_DRAW_ORDER) these are all fragments, as in the paper.
+uint agaa_mergedList(uvec2 pixel) {
+    uint head = agaa_sortList(pixel);
+    if (head != 0u && agaa_fragments.words[agaa_record(head) + AGAA_FRAGMENT_DEPTH_AT] != 0u)
+        agaa_unlinkCovered(pixel, head);
+    return head;
+}
 
 void agaa_mergePixel(uvec2 pixel) {
     agaa_keptCount = 0u;
-    uint fragment = agaa_sortList(pixel);
+    uint fragment = agaa_mergedList(pixel);
     while (fragment != 0u) {
         uint record = agaa_record(fragment);
         agaa_CoveredSurface s;

@@ -20,7 +20,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_means.glsl"
 
-#if AGAA_SAMPLE_LANES
 // Masks lose samples while other samples are not yet compared. The word by which the list was sorted keeps the depth at
 // the centroid of all covered samples, which determines the range of depths.
 void agaa_keepPlanes(uvec2 pixel, uint head) {
@@ -39,10 +38,6 @@ agaa_DepthPlane agaa_listedPlane(uint record) {
     depths.x = uintBitsToFloat(agaa_fragments.words[record + AGAA_FRAGMENT_DEPTH_AT]);
     return agaa_planeOfDepths(stored, depths, true);
 }
-#else
-void agaa_keepPlanes(uvec2 pixel, uint head) {} // the lists have them
-agaa_DepthPlane agaa_listedPlane(uint record) { return agaa_keptPlane(record); }
-#endif
 #include "coverage/list_visibility.glsl"
 
 agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) {
