@@ -89,9 +89,24 @@ typedef struct AgaaFetchFunction {
     uint64_t descriptorSetLayout; /* see AgaaGBufferFunction::descriptorSetLayout */
     uint64_t flags;               /* AGAA_FETCH_… */
     const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
+    /* 0: the host draws all passes. Otherwise "dcaa" with the tier FRAGMENT_LISTS and "agaa" with the tier FRAGMENTS
+     * call no draw callback: compute passes fetch all primitives by id, expand them and append their fragments to the
+     * lists, as a draw of them would. The device needs neither geometry shaders nor atomics in fragment shaders. The
+     * value is the upper bound of the primitives of all draws of a frame together, below 2^31
+     * (AGAA_ERROR_OUT_OF_RANGE). Further primitives are not drawn; AgaaCounters::unannounced counts them, and those
+     * beyond maxPrimitives. Each takes 8 bytes of the view's memory. Primitives with a corner that is not finite are
+     * not drawn. The text also defines
+     *     void agaaHostDraw(uint draw, inout AgaaDraw d)
+     *     void agaaHostAlpha(AgaaPrimitive p, inout AgaaAlpha a)
+     * The first is called for all draws below maxDraws and provides the number of primitives, 0 for draws that the
+     * frame does not show. The second is needed in views with AGAA_FACT_ALPHA_MASKED or AGAA_CONFIG_CHECK_FACTS and
+     * provides what decides coverage by alpha at the centre of a pixel, to which p is moved; agaaMoveTo(p, offset)
+     * moves it to agaa_alphaPoint(k) or agaa_alphaRowPoint(r, c). */
+    uint32_t maxTriangles;
+    uint32_t reserved; /* 0 */
 } AgaaFetchFunction;
 #define AGAA_FETCH_FUNCTION_INIT                                                                                       \
-    { AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL }
+    { AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL, 0, 0 }
 AGAA_API void AGAA_CALL agaaInitFetchFunction(AgaaFetchFunction* outFunction, size_t structSize);
 
 /* A function that replaces some shadow maps. Chain it to AgaaViewDesc. It is compiled into the passes that shade.

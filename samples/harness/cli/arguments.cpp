@@ -198,7 +198,9 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.coverage.merge =
         choice(arguments.merge, "--merge",
                {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_PAPER}, {"none", AGAA_MERGE_NONE}});
-    vertexPulling = choice(arguments.expand, "--expand", {{"geometry", 0}, {"pulling", 1}});
+    const int expansion = choice(arguments.expand, "--expand", {{"geometry", 0}, {"pulling", 1}, {"compute", 2}});
+    vertexPulling = expansion == 1;
+    computesTriangles = expansion == 2;
     fitsFragmentCapacity = arguments.fragmentsPerPixel == "auto";
     if (!fitsFragmentCapacity)
         config.coverage.fragmentsPerPixel =

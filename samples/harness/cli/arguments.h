@@ -79,6 +79,7 @@ struct Configuration {
     std::string technique; // config.technique points to it
     TechniqueConfig config;
     bool vertexPulling = false;
+    bool computesTriangles = false;    // AgaaFetchFunction::maxTriangles
     bool fitsFragmentCapacity = false; // --fragments-per-pixel auto: a frame determines the capacity
     bool isModel = false;              // --tier native: the papers' model, on an ideal device
     Size size;

@@ -120,7 +120,7 @@ void runChoose(const RenderArguments& arguments, const ChooseArguments& chosen, 
     if (chosen.observe && rendered.device.backend.empty())
         rendered.device.backend = "vk";
     AgaaSceneFacts facts = plannedFacts(arguments, sceneGiven);
-    const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0);
+    const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0, false);
     std::optional<AgaaDeviceCaps> caps;
     AgaaObservation observation = AGAA_OBSERVATION_INIT;
     if (chosen.observe) {

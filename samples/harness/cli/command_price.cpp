@@ -184,7 +184,7 @@ void runPrice(const RenderArguments& arguments, const std::string& timesPath, bo
     const MeasuredTimes times = readTimes(timesPath);
     const AgaaSceneFacts facts = plannedFacts(arguments, sceneGiven);
     const auto caps = planningDevice(configuration, arguments.device);
-    const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0);
+    const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0, configuration.computesTriangles);
     const AgaaViewDesc view =
         viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
     const std::vector<AgaaPrice> prices = queryPrices(view, caps ? &*caps : nullptr);

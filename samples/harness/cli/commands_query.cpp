@@ -86,7 +86,7 @@ void runMemory(const PlanArguments& arguments, const DeviceArguments& device, bo
     const Configuration configuration(arguments);
     const auto caps = planningDevice(configuration, device);
     const AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
-    const AgaaFetchFunction fetch = anyFetch(arguments.unfetchedEvery == 0);
+    const AgaaFetchFunction fetch = anyFetch(arguments.unfetchedEvery == 0, configuration.computesTriangles);
     const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.reversedZ, device.clipZFromMinusOne);
     Sdk sdk;
     AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
@@ -124,7 +124,7 @@ void runPlan(const RenderArguments& arguments, bool sceneGiven, bool asJson) {
     const Configuration configuration(arguments.plan);
     const AgaaSceneFacts facts = plannedFacts(arguments, sceneGiven);
     const auto caps = planningDevice(configuration, arguments.device);
-    const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0);
+    const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0, configuration.computesTriangles);
     const AgaaViewDesc view =
         viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
     Sdk sdk;

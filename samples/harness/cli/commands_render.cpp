@@ -66,6 +66,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     changeFacts(arguments, settings.facts);
     settings.reversedZ = arguments.plan.reversedZ;
     settings.vertexPulling = configuration.vertexPulling;
+    settings.computesTriangles = configuration.computesTriangles;
     settings.drawOrderSeed = arguments.drawOrderSeed;
     settings.alphaPoints = arguments.alphaPoints;
     settings.ditherFrame = arguments.ditherFrame;

@@ -44,10 +44,11 @@ AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& fa
     return view;
 }
 
-AgaaFetchFunction anyFetch(bool forAllDraws) {
+AgaaFetchFunction anyFetch(bool forAllDraws, bool computesTriangles) {
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = "";
     function.maxDraws = function.maxPrimitives = 1u << 15;
+    function.maxTriangles = computesTriangles ? 1u << 20 : 0;
     function.flags = forAllDraws ? 0 : AGAA_FETCH_NOT_ALL_DRAWS;
     return function;
 }

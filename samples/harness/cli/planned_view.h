@@ -30,7 +30,7 @@ AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& fa
                     bool reversedZ, bool clipZFromMinusOne);
 
 // Plans depend on the presence of functions, not on their texts.
-AgaaFetchFunction anyFetch(bool forAllDraws);
+AgaaFetchFunction anyFetch(bool forAllDraws, bool computesTriangles);
 
 // Returns the facts of the scene if sceneGiven, else all effects, without the effects of --without.
 AgaaSceneFacts plannedFacts(const RenderArguments& arguments, bool sceneGiven);

@@ -44,6 +44,7 @@ GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& 
     function_.glsl = glsl_.c_str();
     function_.maxDraws = fetch.maxDraws;
     function_.maxPrimitives = fetch.maxPrimitives;
+    function_.maxTriangles = fetch.maxTriangles;
 }
 
 Texture GpuFetch::makeArray(const TextureLayers& layers, bool srgb) const {

@@ -47,6 +47,8 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     if (settings.config.fetches()) {
         fetch = *fetchFunction(settings.config.coversByEdges());
         fetch.flags = settings.unfetchedEvery ? AGAA_FETCH_NOT_ALL_DRAWS : 0;
+        if (!settings.computesTriangles)
+            fetch.maxTriangles = 0;
         desc.pNext = &fetch;
     }
     const AgaaView view = useView(desc);

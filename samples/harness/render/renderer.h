@@ -48,13 +48,14 @@ struct RenderSettings {
     glm::dvec3 worldOffset{0};  // offset of scene, lights and camera, which tests precision far from 0
     uint32_t frames = 1;
     uint32_t warmup = 0;
-    bool switchFacts = false;    // each frame has the next facts of switchedFacts()
-    double footprint = 1;        // width over which textures are filtered, in pixels, (0, 1]; not for the tier IDS
-    uint32_t alphaPoints = 1;    // alpha reads of cut-outs per texel of the target: 1, 4 or 16
-    uint32_t ditherFrame = 0;    // AgaaFrame::ditherFrame
-    uint32_t unfetchedEvery = 0; // tier IDS: every unfetchedEvery-th draw cannot be fetched; 0: none
-    bool splitSegments = false;  // record each segment in a separate call
-    bool vertexPulling = false;  // AGAA_VIEW_VERTEX_PULLING
+    bool switchFacts = false;       // each frame has the next facts of switchedFacts()
+    double footprint = 1;           // width over which textures are filtered, in pixels, (0, 1]; not for the tier IDS
+    uint32_t alphaPoints = 1;       // alpha reads of cut-outs per texel of the target: 1, 4 or 16
+    uint32_t ditherFrame = 0;       // AgaaFrame::ditherFrame
+    uint32_t unfetchedEvery = 0;    // tier IDS: every unfetchedEvery-th draw cannot be fetched; 0: none
+    bool splitSegments = false;     // record each segment in a separate call
+    bool vertexPulling = false;     // AGAA_VIEW_VERTEX_PULLING
+    bool computesTriangles = false; // AgaaFetchFunction::maxTriangles
 };
 
 // The result of a configuration in the SDK.

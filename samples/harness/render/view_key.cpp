@@ -40,6 +40,7 @@ void addFetchFunction(Key& key, const AgaaFetchFunction& function) {
     key.add(function.glslExtensions);
     key.add(function.maxDraws);
     key.add(function.maxPrimitives);
+    key.add(function.maxTriangles);
     key.add(function.descriptorSetLayout);
     key.add(function.flags);
 }

@@ -18,7 +18,7 @@ layout(FETCH_TEXTURE_AT(6)) uniform sampler2DArray fetchSmallColors;
 layout(FETCH_TEXTURE_AT(7)) uniform sampler2DArray fetchSmallValues;
 #endif
 
-const int drawTexels = 7, materialTexels = 5, vertexTexels = 3;
+const int drawTexels = 8, materialTexels = 5, vertexTexels = 3;
 
 struct FetchDraw {
     int at; // first texel
@@ -114,6 +114,9 @@ vec4 fetchTexel(sampler2DArray textures, int layer, uint code, vec2 uv, vec2 dx,
     if (layer < 0)
         return vec4(1.0);
     vec2 share = exp2(-vec2(code >> 4u & 15u, code >> 8u & 15u)); // size of one repetition in the layer
+#if FETCH_OWN_SAMPLING == 0 // software rasterisers execute both sides of a branch
+    return textureGrad(textures, vec3(uv * share, float(layer)), dx * share, dy * share);
+#endif
     if ((code & fetchOwnSampling) == 0u)
         return textureGrad(textures, vec3(uv * share, float(layer)), dx * share, dy * share);
     uv = vec2(fetchWrapped(uv.x, code & 3u), fetchWrapped(uv.y, code >> 2u & 3u));
@@ -160,13 +163,13 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
         uvec4 a = texelFetch(fetchVertices, v);
         vec4 b = uintBitsToFloat(texelFetch(fetchVertices, v + 1));
         vec4 c = uintBitsToFloat(texelFetch(fetchVertices, v + 2));
-        vec4 color = unpackUnorm4x8(a.w); // alpha holds the handedness of the tangent
+        vec4 color = unpackUnorm4x8(a.w);
         position += weight * uintBitsToFloat(a.xyz);
         p.color += weight * color.rgb;
         p.normal += weight * b.xyz;
         normalDx += primitive.dx[corner] * b.xyz;
         normalDy += primitive.dy[corner] * b.xyz;
-        p.tangent += weight * vec4(c.xyz, color.a * 2.0 - 1.0);
+        p.tangent += weight * vec4(c.xyz, (a.w >> 24u & 1u) != 0u ? 1.0 : -1.0);
         vec2 own = vec2(b.w, c.w);
         uv += weight * own;
         dx += primitive.dx[corner] * own;
@@ -198,3 +201,69 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     result.normalDx = unitNormalChange(p, fetchRotate(draw, 3, normalDx));
     result.normalDy = unitNormalChange(p, fetchRotate(draw, 3, normalDy));
 }
+
+#ifdef AGAA_EXPANDS_TRIANGLES
+const uint drawTwoSided = 1u, drawMasked = 2u, drawAlphaRows = 4u, drawTested = 8u;
+
+void agaaHostDraw(uint index, inout AgaaDraw d) {
+    uvec4 t = texelFetch(fetchDraws, drawTexels * int(index) + 7);
+    d.primitives = t.x;
+    d.isAlphaMasked = (t.y & drawMasked) != 0u;
+    if ((t.y & drawTwoSided) == 0u)
+        d.culledFacing = fetchDraw(index).handedness < 0.0 ? -1 : 1;
+}
+
+// The inputs of alpha at all points of a primitive.
+struct FetchAlpha {
+    vec2 uv[3];
+    vec3 alpha; // of the vertices
+    float base;
+    int layer;
+    uint sampling;
+    vec2 dx, dy;
+};
+
+vec2 fetchAlphaUv(FetchAlpha f, vec3 weights) {
+    return weights.x * f.uv[0] + weights.y * f.uv[1] + weights.z * f.uv[2];
+}
+
+// The function matches alphaAt() of material_inputs.glsl.
+float fetchAlphaAt(FetchAlpha f, AgaaPrimitive p, vec2 offset) {
+    agaaMoveTo(p, offset);
+    precise float alpha = f.base * clamp(dot(p.at, f.alpha), 0.0, 1.0);
+    if (f.layer >= 0)
+        alpha *= fetchColor(0, f.layer, f.sampling, fetchAlphaUv(f, p.at), f.dx, f.dy).a;
+    return alpha;
+}
+
+void agaaHostAlpha(AgaaPrimitive p, inout AgaaAlpha a) {
+    FetchDraw draw = fetchDraw(p.draw);
+    uvec4 t = texelFetch(fetchDraws, draw.at + 7);
+    int m = materialTexels * draw.material;
+    FetchAlpha f;
+    for (uint corner = 0u; corner < 3u; ++corner) {
+        int v = fetchVertex(draw, p.primitive, corner);
+        uint color = texelFetch(fetchVertices, v).w;
+        f.alpha[corner] = float(color >> 25u) / 127.0;
+        f.uv[corner] = uintBitsToFloat(uvec2(texelFetch(fetchVertices, v + 1).w, texelFetch(fetchVertices, v + 2).w));
+    }
+    f.base = uintBitsToFloat(texelFetch(fetchMaterials, m).w);
+    f.layer = int(texelFetch(fetchMaterials, m + 3).x);
+    f.sampling = texelFetch(fetchMaterials, m + 4).x;
+    f.dx = fetchAlphaUv(f, p.dx);
+    f.dy = fetchAlphaUv(f, p.dy);
+    uint first = draw.firstVertex + texelFetch(fetchIndices, int(draw.firstIndex + 3u * p.primitive)).x;
+    uint seed = (t.z ^ first) * 0x9E3779B1u;
+    a.primitiveSeed = seed ^ seed >> 15;
+    bool isTested = (t.y & drawTested) != 0u;
+    a.alphaCutoff = isTested ? uintBitsToFloat(t.w) : 0.0;
+    a.hasAlphaRows = (t.y & drawAlphaRows) != 0u;
+    a.hasAlphaNear = true;
+    for (uint k = 0u; k < 1u && !isTested; ++k)
+        a.alpha = fetchAlphaAt(f, p, vec2(0.0));
+    for (uint k = 0u; k < 4u && isTested && !a.hasAlphaRows; ++k)
+        a.alphaNear[k] = fetchAlphaAt(f, p, agaa_alphaPoint(k));
+    for (uint k = 0u; k < 16u && a.hasAlphaRows; ++k)
+        a.alphaRows[k >> 2u][k & 3u] = fetchAlphaAt(f, p, agaa_alphaRowPoint(k >> 2u, k & 3u));
+}
+#endif

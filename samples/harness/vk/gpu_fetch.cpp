@@ -50,6 +50,7 @@ GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpu
     function_.glsl = glsl_.c_str();
     function_.maxDraws = fetch.maxDraws;
     function_.maxPrimitives = fetch.maxPrimitives;
+    function_.maxTriangles = fetch.maxTriangles;
     function_.descriptorSetLayout = (uint64_t)layout_.get();
 }
 

@@ -304,6 +304,8 @@ void PlanBuilder::bindHostFetch(Pass& pass) {
     pass.compute().defines += customGlsl(plan.view.layout);
     if (plan.view.someUnfetched)
         pass.compute().defines += "#define AGAA_SOME_UNFETCHED 1\n";
+    if (plan.view.maxTriangles)
+        pass.compute().defines += "#define AGAA_EXPANDS_TRIANGLES 1\n";
 }
 
 ResourceId PlanBuilder::output() {

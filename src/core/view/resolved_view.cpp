@@ -102,6 +102,7 @@ void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, Techni
                           .fetches = view.maxDraws > 0,
                           .someUnfetched = view.someUnfetched,
                           .vertexPulling = view.vertexPulling,
+                          .expandsTriangles = view.maxTriangles > 0,
                           .coverageSamples = technique.countsCoverage(config.generationTier, view.samples),
                           .needsMaterials = view.aggregation.litShadows || view.aggregation.glossWeight > 0 ||
                                             config.ndf > AGAA_NDF_TOKSVIG};

@@ -26,16 +26,17 @@ struct ResolvedView;
 struct GenerationQuery {
     const AgaaDeviceCaps& caps;
     uint32_t hwSamples = 1;
-    bool isForced = false;        // AgaaConfig::generationTier names the tier
-    bool customDepth = false;     // materials write depth or discard, so that no pass can compare with the depth of an
-                                  // earlier pass before it runs them
-    bool hostGBuffer = false;     // the host draws the G-buffer
-    bool fetches = false;         // the view has an AgaaFetchFunction
-    bool someUnfetched = false;   // the function does not fetch all draws
-    bool vertexPulling = false;   // the view has AGAA_VIEW_VERTEX_PULLING
-    bool coverageSamples = false; // AUTO selects among tiers with coverage samples
-    bool needsMaterials = false;  // settings need materials when samples are grouped
-    uint64_t aggregateBytes = 0;  // of one buffer, if another tier needs none; 0: not checked
+    bool isForced = false;         // AgaaConfig::generationTier names the tier
+    bool customDepth = false;      // materials write depth or discard, so that no pass can compare with the depth of an
+                                   // earlier pass before it runs them
+    bool hostGBuffer = false;      // the host draws the G-buffer
+    bool fetches = false;          // the view has an AgaaFetchFunction
+    bool someUnfetched = false;    // the function does not fetch all draws
+    bool vertexPulling = false;    // the view has AGAA_VIEW_VERTEX_PULLING
+    bool expandsTriangles = false; // compute passes do so, by AgaaFetchFunction::maxTriangles
+    bool coverageSamples = false;  // AUTO selects among tiers with coverage samples
+    bool needsMaterials = false;   // settings need materials when samples are grouped
+    uint64_t aggregateBytes = 0;   // of one buffer, if another tier needs none; 0: not checked
 };
 
 struct TierAnswer {

@@ -196,6 +196,10 @@ static void readFetchFunction(const AgaaViewDesc& desc, ViewSettings& view) {
                     function->maxDraws, function->maxPrimitives, bits));
     require(!view.hostGBuffer, AGAA_ERROR_INVALID_ARGUMENT,
             "the view has an AgaaGBufferFunction and an AgaaFetchFunction; materials come by one of them.");
+    checkReserved(function->reserved, "AgaaFetchFunction::reserved");
+    require(function->maxTriangles < 1u << 31, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFetchFunction::maxTriangles is 2^31 or more.");
+    view.maxTriangles = function->maxTriangles;
     view.maxDraws = function->maxDraws;
     view.maxPrimitives = function->maxPrimitives;
     view.someUnfetched = function->flags & AGAA_FETCH_NOT_ALL_DRAWS;

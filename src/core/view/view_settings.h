@@ -43,6 +43,7 @@ struct ViewSettings {
     std::vector<float> samplePositions;       // x and y of each sample, if the host sets them
     uint32_t depthBits = 0;                   // of the host's fixed-point depth buffer; 0: it has floats
     uint32_t maxDraws = 0, maxPrimitives = 0; // that ids distinguish; 0: materials are not fetched by id
+    uint32_t maxTriangles = 0;                // of a frame, that compute passes expand; 0: the host draws them
     uint32_t primitiveBits = 0;               // low bits of an id that number the primitive
     bool someUnfetched = false;               // draws that cannot be fetched go into a G-buffer
     HostText fetchFunction;

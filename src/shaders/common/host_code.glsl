@@ -5,6 +5,8 @@
 #if !defined(AGAA_CONSTANTS_GLSL) && (!defined(AGAA_HW_SAMPLES) || !defined(AGAA_SCALE_X) || !defined(AGAA_SCALE_Y))
 #error "host_code.glsl needs AGAA_HW_SAMPLES, AGAA_SCALE_X and AGAA_SCALE_Y."
 #endif
+#include "common/alpha_points.glsl"
+
 // Returns the texel of sample i in a target whose pixels are AGAA_SCALE_X x AGAA_SCALE_Y texels of AGAA_HW_SAMPLES
 // each.
 ivec2 agaaTexel(uvec2 pixel, uint i) {
@@ -45,6 +47,9 @@ struct AgaaPrimitive {
     float facing; // > 0 if a, b, c turn from x to y of the image, < 0 if they turn the other way
 };
 
+#endif
+#if defined(AGAA_HOST_FETCH) && defined(AGAA_EXPANDS_TRIANGLES)
+#include "common/host_triangles.glsl"
 #endif
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH) || defined(AGAA_HOST_SHADOWS)
 #include "host-code"

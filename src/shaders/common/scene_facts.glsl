@@ -5,6 +5,12 @@
 
 bool agaa_hasFact(uint fact) { return (AGAA_FACTS & fact) != 0u; }
 
+// Returns whether an alpha-masked surface of this cutoff is a cut-out, and not translucent. The facts of the view
+// decide before the material does.
+bool agaa_isCutout(float cutoff) {
+    return agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && cutoff > 0.0);
+}
+
 // Returns the bits of the facts that this material demands or contradicts. emissiveRange: of the layout. Emission has
 // no other scale, because hosts multiply it by their exposure.
 uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2, float emissiveRange) {

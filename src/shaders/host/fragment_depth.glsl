@@ -2,17 +2,11 @@
 #ifndef AGAA_HOST_FRAGMENT_DEPTH_GLSL
 #define AGAA_HOST_FRAGMENT_DEPTH_GLSL
 #include "host/fragment_coverage.glsl"
-#include "common/ordered_bits.glsl"
-#include "coverage/growing_depth.glsl"
+#include "coverage/depth_order.glsl"
 
 // Returns the depth plane of the triangle in the pixel.
 agaa_DepthPlane agaa_cornerPlane() {
     return agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
                            vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);
-}
-
-// Returns a number that increases with the distance of the covered samples' centroid (coverage/fragment_layout.glsl).
-uint agaa_depthOrder(agaa_DepthPlane plane, uvec4 mask) {
-    return agaa_orderedBits(agaa_depthAt(agaa_growingDepth(plane), agaa_coverageMiddle(mask, AGAA_SAMPLES)));
 }
 #endif

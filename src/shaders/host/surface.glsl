@@ -118,13 +118,8 @@ uint agaa_hostGroup() {
     return sub.y * AGAA_SCALE_X + sub.x;
 }
 
-// Positions of AgaaSurfaceInput::alphaNear and alphaRows: offsets from the texel's centre, in the pixels of
-// agaa_dFdx().
+#include "common/alpha_points.glsl"
 #define AGAA_ALPHA_POINTS (AGAA_HW_SAMPLES > 1 || AGAA_HAS_CORNERS == 1 ? 4u : 0u)
-vec2 agaa_alphaPoint(uint k) {
-    return (vec2(float(k & 1u), float(k >> 1u)) * 0.5 - 0.25) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
-}
-vec2 agaa_alphaRowPoint(uint r, uint c) { return vec2(float(c), float(r)) * 0.25 - 0.375; }
 
 // Returns the offset from the texel's centre to its sample i, in texels.
 vec2 agaa_sampleOffset(uint i) {
@@ -159,12 +154,6 @@ uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
 // whose uniforms decide a branch. A term that is 0 but depends on the fragment prevents that.
 float agaa_fragmentCutoff(AgaaSurfaceInput s) {
     return agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
-}
-
-// Returns whether an alpha-masked surface of this cutoff is a cut-out, and not translucent. The facts of the view
-// decide before the material does.
-bool agaa_isCutout(float cutoff) {
-    return agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && cutoff > 0.0);
 }
 
 // Returns the samples of this texel that an alpha-masked surface covers. It takes derivatives, so it needs uniform

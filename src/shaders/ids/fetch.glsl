@@ -9,6 +9,7 @@
 #error "fetch.glsl needs AGAA_PRIMITIVE_BITS and AGAA_CLIP_Z_FROM_MINUS_ONE."
 #endif
 #include "math/barycentrics.glsl"
+#include "math/triangle_coverage.glsl"
 #include "common/host_samples.glsl"
 
 AgaaPrimitive agaa_primitive(uint id) {
@@ -70,6 +71,22 @@ void agaa_evaluateAt(inout AgaaPrimitive p, uvec2 pixel, vec2 offset) {
     p.dy = b.dy;
     p.facing = b.facing;
 }
+
+#ifdef AGAA_EXPANDS_TRIANGLES
+uvec2 agaa_expandedPixel = uvec2(0u);
+
+void agaaMoveTo(inout AgaaPrimitive p, vec2 offset) {
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
+    agaa_Barycentrics b = agaa_barycentrics(agaa_vertexInPixels(p.a.xyw, pixelsPerNdc),
+                                            agaa_vertexInPixels(p.b.xyw, pixelsPerNdc),
+                                            agaa_vertexInPixels(p.c.xyw, pixelsPerNdc),
+                                            vec2(agaa_expandedPixel) + 0.5 + offset, vec2(1.0));
+    p.at = b.at;
+    p.dx = b.dx;
+    p.dy = b.dy;
+    p.facing = b.facing;
+}
+#endif
 
 AgaaMaterial agaa_evaluateMaterial(AgaaPrimitive p) {
     AgaaMaterial m = agaa_defaultMaterial();

@@ -14,6 +14,11 @@ namespace agaa {
 
 bool hasBatches(const ViewSettings& view) { return view.coverage.maxBatches > 1; }
 
+// Lists with materials need shaders of the host.
+static bool expandsTriangles(const ResolvedView& view) {
+    return view.maxTriangles > 0 && view.generationTier != AGAA_TIER_MATERIAL_LISTS;
+}
+
 uint64_t drawSegment(const ViewSettings& view) {
     return hasBatches(view) ? AGAA_SEGMENT_SHADING : AGAA_SEGMENT_PREPASS;
 }
@@ -138,14 +143,79 @@ Pass& drawTriangles(PlanBuilder& b, uint64_t segment) {
     return pass;
 }
 
+namespace {
+
+// The buffer has counts, a sum for each draw, then entries of large triangles
+// (src/shaders/coverage/triangle_words.glsl).
+ResourceId makeTriangles(PlanBuilder& b) {
+    const uint64_t words =
+        AGAA_TRIANGLE_SUMS + uint64_t(b.view().maxDraws) + checkedMultiply(b.view().maxTriangles, AGAA_LARGE_WORDS);
+    if (words > b.caps().maxStorageRange / 4)
+        fail(AGAA_ERROR_TOO_LARGE,
+             format("AgaaFetchFunction::maxTriangles is %u; their list needs %llu bytes, and one storage buffer of the "
+                    "device has %llu.",
+                    b.view().maxTriangles, static_cast<unsigned long long>(4 * words),
+                    static_cast<unsigned long long>(b.caps().maxStorageRange)));
+    return b.itemBuffer("triangles", words, 4);
+}
+
+// Adds a pass of the expansion. argumentsAt: the word of its indirect dispatch among the triangles; 0: one workgroup.
+Pass& addExpansion(PlanBuilder& b, const char* name, const char* shader, ResourceId triangles, uint32_t argumentsAt,
+                   uint64_t segment) {
+    Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, segment);
+    pass.compute().dispatch = {.kind = DispatchKind::Items, .items = 1};
+    if (argumentsAt)
+        pass.compute().dispatch = {
+            .kind = DispatchKind::Indirect, .arguments = triangles, .argumentsOffset = 4 * argumentsAt};
+    b.bind(pass, slot::Triangles, BindingType::StorageBuffer, triangles, true);
+    return pass;
+}
+
+void bindTriangleFetch(PlanBuilder& b, Pass& pass) {
+    b.bindCommon(pass);
+    b.bindHostFetch(pass);
+    const bool isMasked = b.hasFact(AGAA_FACT_ALPHA_MASKED) || b.view().config.flags & AGAA_CONFIG_CHECK_FACTS;
+    pass.compute().defines += format(
+        "#define AGAA_MAX_DRAWS %uu\n#define AGAA_MAX_PRIMITIVES %uu\n#define AGAA_MAX_TRIANGLES %uu\n"
+        "#define AGAA_PAYLOAD_WORDS %uu\n#define AGAA_HAS_BATCHES %d\n#define AGAA_DRAW_ORDER %d\n"
+        "#define AGAA_EXPANDS_MASKED %d\n#define AGAA_COVERS_BY_TABLE %d\n",
+        b.view().maxDraws, b.view().maxPrimitives, b.view().maxTriangles, b.plan.payloadWords, hasBatches(b.view()),
+        (b.view().coverage.flags & AGAA_COVERAGE_DRAW_ORDER) != 0, isMasked, !b.view().coveragePositions.empty());
+}
+
+// Adds passes that append the fragments of all triangles to the lists.
+void expandTriangles(PlanBuilder& b, FragmentLists& lists, uint64_t segment) {
+    const ResourceId table = b.view().coveragePositions.empty() ? noResource : makeCoverageTable(b, segment);
+    const ResourceId triangles = makeTriangles(b);
+    bindTriangleFetch(b, addExpansion(b, "count triangles", "count_triangles", triangles, 0, segment));
+    lists.firstPass = uint32_t(b.plan.passes.size());
+    const auto append = [&](const char* name, const char* shader, uint32_t argumentsAt) {
+        Pass& pass = addExpansion(b, name, shader, triangles, argumentsAt, segment);
+        bindTriangleFetch(b, pass);
+        lists.bindAlone(b, pass);
+        if (table != noResource)
+            b.bind(pass, slot::CoverageTable, BindingType::Texture, table);
+    };
+    append("expand triangles", "expand_triangles", AGAA_TRIANGLES_DISPATCH);
+    addExpansion(b, "list large triangles", "list_large", triangles, 0, segment);
+    append("expand large triangles", "expand_large", AGAA_LARGE_DISPATCH);
+    b.note("triangles: compute passes fetch and expand them (AgaaFetchFunction::maxTriangles).");
+}
+
+} // namespace
+
 FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords, uint64_t segment) {
     b.plan.payloadWords = payloadWords;
     const ListSizes sizes = listSizes(b);
     FragmentLists lists{makeLists(b, sizes)};
     b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, segment).fill().bytes = 4 * sizes.heads;
-    Pass& pass = drawTriangles(b, segment);
-    lists.firstPass = uint32_t(b.plan.passes.size() - 1);
-    b.bind(pass, host_slot::Fragments, BindingType::StorageBuffer, lists.buffer, true);
+    if (expandsTriangles(b.view())) {
+        expandTriangles(b, lists, segment);
+    } else {
+        Pass& pass = drawTriangles(b, segment);
+        lists.firstPass = uint32_t(b.plan.passes.size() - 1);
+        b.bind(pass, host_slot::Fragments, BindingType::StorageBuffer, lists.buffer, true);
+    }
     if (hasBatches(b.view()))
         addBatchPass(b, "divide tiles", "divide_tiles", lists);
     return lists;

@@ -126,10 +126,8 @@ TierAnswer answerSampleGBuffer(const GenerationQuery& q) {
 }
 
 constexpr const char* noCoverageReason = "a G-buffer that the host draws has no coverage beyond its samples.";
-// Returns whether triangles can be expanded to cover every pixel that they touch.
-bool expandsTriangles(const GenerationQuery& q) {
-    return q.vertexPulling || q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS;
-}
+// Returns whether the host can expand triangles to cover every pixel that they touch.
+bool drawsHulls(const GenerationQuery& q) { return q.vertexPulling || q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS; }
 constexpr const char* noExpansionReason = "the device has no geometry shaders, which give a fragment to every pixel "
                                           "that a triangle touches; vertex shaders of the "
                                           "host can (AGAA_VIEW_VERTEX_PULLING).";
@@ -145,9 +143,12 @@ std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
                       tierName(tier));
     if (q.customDepth)
         return "materials that write depth or discard on their own cannot be fetched by id with their depth.";
+    if (q.expandsTriangles)
+        return {};
     if (!hasAtomics(q))
-        return "the device has no atomics in fragment shaders.";
-    if (!expandsTriangles(q))
+        return "the device has no atomics in fragment shaders; compute passes can expand triangles "
+               "(AgaaFetchFunction::maxTriangles).";
+    if (!drawsHulls(q))
         return noExpansionReason;
     return {};
 }
@@ -169,7 +170,7 @@ TierAnswer answerMaterialLists(const GenerationQuery& q) {
         return {false, noCoverageReason};
     if (!hasAtomics(q))
         return {false, "the device has no atomics in fragment shaders."};
-    if (!expandsTriangles(q))
+    if (!drawsHulls(q))
         return {false, noExpansionReason};
     return {true, "fragments carry their materials in a list for each pixel and are merged from front to back."};
 }
