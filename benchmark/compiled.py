@@ -127,6 +127,8 @@ def configurations():
         for n in (32, 64, 128):
             add("dcaa exact", "dcaa", n, "--exact", tier=tier)
         add("dcaa lean", "dcaa", 64, "--aggregates", 4, "--ndf", "lean", tier=tier)
+    for n in (32, 64, 128):
+        add("dcaa expanded", "dcaa", n, "--aggregates", 4, "--expand", "compute", tier="lists")
     return found
 
 

@@ -24,7 +24,8 @@ COVERING = [
     "accurate ids n=8", "accurate ids n=16", "accurate ids n=32",
     "agaa buffered ids n=8 c=4", "agaa buffered ids n=32 c=4",
     "agaa fragments n=128 c=4", "balanced fragments n=64", "accurate fragments n=64",
-    "dcaa lists n=64 c=4", "dcaa material-lists n=64 c=4", "dcaa exact material-lists n=64",
+    "dcaa lists n=64 c=4", "dcaa expanded lists n=64 c=4", "dcaa material-lists n=64 c=4",
+    "dcaa exact material-lists n=64",
 ]
 
 

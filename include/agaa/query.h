@@ -20,9 +20,11 @@ extern "C" {
 #define AGAA_DEVICE_NV_MIXED_SAMPLES UINT64_C(0x20)
 #define AGAA_DEVICE_D24S8 UINT64_C(0x40)
 #define AGAA_DEVICE_D32S8 UINT64_C(0x80)
-#define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100)      /* surfaces cannot share memory (OpenGL) */
-#define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)         /* renders on the CPU, where workgroups do not share memory */
-#define AGAA_DEVICE_GEOMETRY_SHADERS UINT64_C(0x400) /* devices without them need AGAA_VIEW_VERTEX_PULLING */
+#define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */
+#define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)    /* renders on the CPU, where workgroups do not share memory */
+#define AGAA_DEVICE_GEOMETRY_SHADERS                                                                                   \
+    UINT64_C(0x400) /* devices without them need AGAA_VIEW_VERTEX_PULLING or                                           \
+                       AgaaFetchFunction::maxTriangles */
 #define AGAA_DEVICE_CONDITIONAL_RENDERING                                                                              \
     UINT64_C(0x800) /* VK_EXT_conditional_rendering: the device skips batches                                          \
                        that are not needed (AgaaDecoupledCoverage::maxBatches) */
@@ -81,9 +83,10 @@ AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t
 
 /* Lists how each technique runs each stage. The first entry of a technique, n and stage is the tier that AUTO
  * selects, unless a view is too large for it or the host provides functions. Further entries run if AgaaConfig asks
- * for their tier, or if the host provides the functions that they need. If an entry needs a function or
- * AGAA_VIEW_VERTEX_PULLING, its reason names them. If a stage cannot run (the tier AUTO), no view of its technique
- * and n can be created. The tier FRAGMENTS of "agaa" is listed at n = 64 and 128, and runs at 32, too.
+ * for their tier, or if the host provides the functions that they need. If an entry needs a function,
+ * AgaaFetchFunction::maxTriangles or AGAA_VIEW_VERTEX_PULLING, its reason names them. maxTriangles is named only if
+ * nothing else suffices. If a stage cannot run (the tier AUTO), no view of its technique and n can be created. The
+ * tier FRAGMENTS of "agaa" is listed at n = 64 and 128, and runs at 32, too.
  *
  * caps           Null: an ideal device.
  * count          Receives the number of entries. On entry it holds the length of the array, unless capabilities is

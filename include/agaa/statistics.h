@@ -40,7 +40,8 @@ typedef struct AgaaCounters {
                                    shows, for each use */
     uint64_t misplaced;         /* fragments of the first geometry pass that do not lie where the camera places them;
                                    slivers cause a few, because their positions extrapolate */
-    uint64_t unannounced; /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */
+    uint64_t unannounced; /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction; with
+                             its maxTriangles: primitives beyond the limits */
     /* Counters of "dcaa" (DCAA section 3). The tier FRAGMENTS uses fragments and lostFragments, too. */
     uint64_t fragments;     /* primitives that cover a sample of a pixel, also those for which the lists had no room */
     uint64_t mergedFirst;   /* fragments merged into a surface of similar normal whose depths overlap */

@@ -12,7 +12,7 @@
 typedef struct Geometry {
     float camera[16]; /* shading space to clip space */
     struct {
-        uint32_t firstVertex, unused[3];
+        uint32_t firstVertex, primitiveCount, unused[2];
     } draws[drawCount];
     struct {
         float position[4], color[4];
@@ -24,8 +24,10 @@ static Geometry describeGeometry(float nearZ) {
     const AgaaFrame frame = describeFrame(1, nearZ); /* all frames have the same camera */
     Geometry geometry = {0};
     memcpy(geometry.camera, frame.projection, sizeof geometry.camera);
-    for (int i = 0; i < drawCount; ++i)
+    for (int i = 0; i < drawCount; ++i) {
         geometry.draws[i].firstVertex = drawBegin[i];
+        geometry.draws[i].primitiveCount = (drawBegin[i + 1] - drawBegin[i]) / 3;
+    }
     for (int i = 0; i < vertexCount; ++i) {
         const float blade = (float)(i / 3), k = (float)(i % 3);
         float* position = geometry.vertices[i].position;
@@ -68,7 +70,10 @@ static const char idCode[] = "layout(location = 0) in vec3 position;\n"
 #define FETCH_CODE(AT)                                                                                                 \
     GEOMETRY_CODE(AT)                                                                                                  \
     "uint firstVertex(uint draw, uint primitive) { return draws[draw].x + 3u * primitive; }\n"                         \
-    "vec4 clipPosition(uint vertex) { return camera * vec4(vertices[vertex].position.xyz, 1.0); }\n"                   \
+    "vec4 clipPosition(uint vertex) {\n"                                                                               \
+    "    precise vec4 clip = camera * vec4(vertices[vertex].position.xyz, 1.0);\n"                                     \
+    "    return clip;\n"                                                                                               \
+    "}\n"                                                                                                              \
     "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {\n"                   \
     "    uint first = firstVertex(draw, primitive);\n"                                                                 \
     "    a = clipPosition(first);\n"                                                                                   \
@@ -80,3 +85,9 @@ static const char idCode[] = "layout(location = 0) in vec3 position;\n"
     "    m.diffuse = p.at.x * vertices[first].color.rgb + p.at.y * vertices[first + 1u].color.rgb\n"                   \
     "              + p.at.z * vertices[first + 2u].color.rgb;\n"                                                       \
     "}\n"
+
+/* Follows FETCH_CODE in hosts that draw nothing: provides the number of triangles of each draw. */
+#define TRIANGLES_CODE                                                                                                 \
+    "#ifdef AGAA_EXPANDS_TRIANGLES\n"                                                                                  \
+    "void agaaHostDraw(uint draw, inout AgaaDraw d) { d.primitives = draws[draw].y; }\n"                               \
+    "#endif\n"

@@ -295,7 +295,7 @@ static void renderFrames(Host* host) {
     vkFrame.outputLayoutIn = VK_IMAGE_LAYOUT_UNDEFINED, vkFrame.outputLayoutOut = VK_IMAGE_LAYOUT_GENERAL;
     for (uint64_t i = 1; i <= frameCount; ++i) {
         host->frame = describeFrame(i, 0.0f);
-        host->frame.draw = draw, host->frame.drawUser = host;
+        host->frame.draw = host->passCount > 0 ? draw : NULL, host->frame.drawUser = host;
         CHECK(vkResetCommandPool(host->device, info.commandPool, 0));
         CHECK(vkBeginCommandBuffer(commands, &begin));
         if (host->recordHostPass)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 namespace agaa::gl {
 
@@ -253,9 +254,19 @@ private:
 
 } // namespace
 
-// Returns whether the step and the rest of its repetition have nothing to do. Waits for the device.
+// Returns whether the host draws in the repetition of this pass.
+static bool repeatsDraws(const Plan& plan, uint32_t pass) {
+    return std::ranges::any_of(plan.repeats, [&](const Repeat& repeat) {
+        const auto range = std::span(plan.passes).subspan(repeat.firstPass, repeat.lastPass - repeat.firstPass + 1);
+        return pass >= repeat.firstPass && pass <= repeat.lastPass &&
+               std::ranges::any_of(range, [](const Pass& p) { return p.kind() == PassKind::HostDraw; });
+    });
+}
+
+// Returns whether the step and the rest of its repetition have nothing to do. Waits for the device, except in a
+// repetition of dispatches alone, which find out by themselves.
 bool View::isFinished(const Step& step, uint32_t slot) const {
-    if (!step.hasPredicate())
+    if (!step.hasPredicate() || !repeatsDraws(plan, step.pass))
         return false;
     context.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     uint32_t predicate = 0;

@@ -28,7 +28,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaShadow, 392);
     EXPECT_SIZE(AgaaFrame, 256);
     EXPECT_SIZE(AgaaGBufferFunction, 56);
-    EXPECT_SIZE(AgaaFetchFunction, 56);
+    EXPECT_SIZE(AgaaFetchFunction, 64);
     EXPECT_SIZE(AgaaShadowFunction, 48);
     EXPECT_SIZE(AgaaDeviceCaps, 304);
     EXPECT_SIZE(AgaaCapability, 304);

@@ -138,11 +138,15 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
     fetch.glsl = "";
     fetch.maxDraws = fetch.maxPrimitives = 1;
+    AgaaFetchFunction expanding = fetch;
+    expanding.maxTriangles = 1;
     AgaaDeviceCaps poor = fourSampleDevice();
     poor.flags &= ~(AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS);
     AgaaDeviceCaps noGeometryShaders = fourSampleDevice();
     noGeometryShaders.flags &= ~AGAA_DEVICE_GEOMETRY_SHADERS;
-    for (const AgaaDeviceCaps& caps : {idealDevice(), fourSampleDevice(), poor, noGeometryShaders}) {
+    AgaaDeviceCaps computeOnly = poor;
+    computeOnly.flags &= ~AGAA_DEVICE_GEOMETRY_SHADERS;
+    for (const AgaaDeviceCaps& caps : {idealDevice(), fourSampleDevice(), poor, noGeometryShaders, computeOnly}) {
         uint32_t count = 0;
         ASSERT_EQ(agaaQueryCapabilities(&caps, &count, nullptr), AGAA_OK);
         std::vector<AgaaCapability> rows(count, AgaaCapability AGAA_CAPABILITY_INIT);
@@ -176,17 +180,26 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
             const bool isCoverage = isFragments || std::string_view(row.technique) == "dcaa";
             if (row.tier == AGAA_TIER_IDS || row.tier == AGAA_TIER_FRAGMENT_LISTS || isFragments)
                 spec.chained = &fetch;
-            const bool pulls = isCoverage && !(caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS);
+            const bool expands = isCoverage && !(caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS);
+            const bool pulls = isCoverage && !expands && !(caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS);
             if (isGeneration) {
+                EXPECT_EQ(std::string(row.reason).starts_with("with an AgaaFetchFunction and its maxTriangles, "),
+                          expands)
+                    << row.reason;
                 EXPECT_EQ(std::string(row.reason).find("AGAA_VIEW_VERTEX_PULLING") != std::string::npos, pulls)
                     << row.reason;
                 EXPECT_EQ(std::string(row.reason).find("with an AgaaFetchFunction") != std::string::npos,
-                          isFirst ? isFragments : spec.chained != nullptr)
+                          isFirst ? isFragments || expands : spec.chained != nullptr)
                     << row.reason;
             }
             if (pulls) {
                 EXPECT_THROW(planFor(spec, caps), Error);
                 spec.viewFlags = AGAA_VIEW_VERTEX_PULLING;
+            }
+            if (expands) {
+                spec.chained = &fetch;
+                EXPECT_THROW(planFor(spec, caps), Error);
+                spec.chained = &expanding;
             }
             const Plan plan = planFor(spec, caps);
             EXPECT_EQ(uint32_t(isVisibility ? plan.view.visibilityTier : plan.view.generationTier), row.tier);

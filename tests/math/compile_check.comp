@@ -13,6 +13,7 @@
 #include "../../src/shaders/math/coverage_table.glsl"
 #include "../../src/shaders/math/depth_plane.glsl"
 #include "../../src/shaders/math/triangle_hull.glsl"
+#include "../../src/shaders/math/hull_rows.glsl"
 #include "../../src/shaders/math/surface_merge.glsl"
 #include "../../src/shaders/math/surface_resolve.glsl"
 #include "../../src/shaders/math/display.glsl"
@@ -114,5 +115,11 @@ void main() {
     acc.x += float(agaa_batchOfNextTile(agaa_TileBatch(1u, planes.x), agaa_saturatingSum(planes.y, id), 65536u).number);
     const agaa_Hull hull = agaa_triangleHull(x, x.yzwx, x.zwxy, vec2(1.0, 0.0), x.xy);
     acc += hull.vertices[hull.count & 7u].xyz;
+    const agaa_Outline outline = agaa_triangleOutline(x, x.yzwx, x.zwxy, vec2(1.0, 0.0), abs(x.xy));
+    if (outline.count != 0u) {
+        const agaa_Span rows = agaa_outlineRows(outline, x.y), columns = agaa_outlineColumns(outline, x.x);
+        const agaa_Span span = agaa_outlineSpan(outline, rows.first, x.x);
+        acc += vec3(rows.last, columns.first + columns.last, span.first + span.last);
+    }
     outputs[id] = vec4(acc, float(count + agaa_samplesOfAggregate(planes, 3u)));
 }

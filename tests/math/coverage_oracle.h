@@ -72,6 +72,40 @@ inline double areaOf(const Polygon& p) {
     return twice / 2;
 }
 
+// Vertices of a triangle in clip space.
+using Clip = std::array<glm::vec4, 3>;
+
+// The vertex at a position in ndc. The near plane, as agaa_triangleHull() has it, is at w = 0.1.
+inline glm::vec4 clipVertex(const glm::dvec2& ndc, double w, const glm::dvec2& nearPlane) {
+    const double beyond = (w - 0.1) * 1.0001;
+    const double z = nearPlane.x < 0 ? w - beyond : nearPlane.y > 0 ? 2 * beyond - w : beyond;
+    return glm::vec4(glm::dvec4(ndc.x * w, ndc.y * w, z, w));
+}
+
+// The part of a triangle in front of the near plane, in pixels from the image's middle, by a clipper in double.
+inline Polygon projected(const Clip& t, const glm::dvec2& nearPlane, const glm::dvec2& halfSize) {
+    Polygon out;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec4 a(t[k]), b(t[(k + 1) % 3]);
+        const double e = nearPlane.x * a.z + nearPlane.y * a.w, f = nearPlane.x * b.z + nearPlane.y * b.w;
+        const auto add = [&](const glm::dvec4& v) { out.push_back(glm::dvec2(v) / v.w * halfSize); };
+        if (e >= 0)
+            add(a);
+        if ((e >= 0) != (f >= 0))
+            add(a + (b - a) * (e / (e - f)));
+    }
+    if (areaOf(out) < 0)
+        std::reverse(out.begin(), out.end());
+    return out;
+}
+
+// Returns true if a polygon, which may be a line, touches a square around a point.
+inline bool touches(Polygon p, const glm::dvec2& centre, double halfWidth = 0.5) {
+    for (const glm::dvec2 n : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)})
+        p = clipped(p, {n.x, n.y, halfWidth - glm::dot(n, centre)});
+    return !p.empty();
+}
+
 } // namespace test_math
 
 #endif

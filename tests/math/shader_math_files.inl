@@ -12,6 +12,7 @@
 #undef AGAA_MATH_FACET_NORMAL_GLSL
 #undef AGAA_MATH_STORED_PLANE_GLSL
 #undef AGAA_MATH_TRIANGLE_HULL_GLSL
+#undef AGAA_MATH_HULL_ROWS_GLSL
 #undef AGAA_MATH_DISPLAY_GLSL
 #undef AGAA_MATH_ENCODING_GLSL
 #undef AGAA_MATH_METADATA_GLSL
@@ -40,6 +41,7 @@
 #include "../../src/shaders/math/stored_plane.glsl"
 #include "../../src/shaders/math/surface_resolve.glsl"
 #include "../../src/shaders/math/triangle_hull.glsl"
+#include "../../src/shaders/math/hull_rows.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"

@@ -5,7 +5,6 @@ using namespace test_math;
 
 namespace {
 
-using Clip = std::array<glm::vec4, 3>;
 constexpr glm::dvec2 halfSize(64, 48); // of an image of 128 x 96 pixels
 const glm::vec2 pixelsPerNdc(halfSize);
 
@@ -23,30 +22,6 @@ Polygon outlineOf(const math_f::agaa_Hull& hull) {
     return p;
 }
 
-// The part of a triangle before the near plane, by an independent clipper in double.
-Polygon projected(const Clip& t, const glm::dvec2& nearPlane) {
-    Polygon out;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec4 a(t[k]), b(t[(k + 1) % 3]);
-        const double e = nearPlane.x * a.z + nearPlane.y * a.w, f = nearPlane.x * b.z + nearPlane.y * b.w;
-        const auto add = [&](const glm::dvec4& v) { out.push_back(glm::dvec2(v) / v.w * halfSize); };
-        if (e >= 0)
-            add(a);
-        if ((e >= 0) != (f >= 0))
-            add(a + (b - a) * (e / (e - f)));
-    }
-    if (areaOf(out) < 0)
-        std::reverse(out.begin(), out.end());
-    return out;
-}
-
-// Whether a polygon, which may be a line, touches the square of a pixel.
-bool touches(Polygon p, const glm::dvec2& centre) {
-    for (const glm::dvec2 n : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)})
-        p = clipped(p, {n.x, n.y, 0.5 - glm::dot(n, centre)});
-    return !p.empty();
-}
-
 double depthInside(const Polygon& outline, const glm::dvec2& point) {
     double least = 1e30;
     for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -58,13 +33,12 @@ double depthInside(const Polygon& outline, const glm::dvec2& point) {
 }
 
 glm::vec4 inClip(const glm::dvec2& pixels, double w, bool reversed) {
-    const double z = (w - 0.1) * 1.0001;
-    return glm::vec4(glm::dvec4(pixels.x / halfSize.x * w, pixels.y / halfSize.y * w, reversed ? w - z : z, w));
+    return clipVertex(pixels / halfSize, w, reversed ? glm::dvec2(-1, 1) : glm::dvec2(1, 0));
 }
 
 void check(const Clip& t, bool reversed, double& worstExcess, std::size_t& touched) {
     const glm::vec2 nearPlane = reversed ? glm::vec2(-1, 1) : glm::vec2(1, 0);
-    const Polygon triangle = projected(t, glm::dvec2(nearPlane));
+    const Polygon triangle = projected(t, glm::dvec2(nearPlane), halfSize);
     const math_f::agaa_Hull hull = math_f::agaa_triangleHull(t[0], t[1], t[2], nearPlane, pixelsPerNdc);
     ASSERT_LE(hull.count, 8u);
     if (triangle.empty()) {

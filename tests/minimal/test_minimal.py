@@ -48,15 +48,15 @@ def coverage(pixel, background, color):
 class Minimal(unittest.TestCase):
     samples = 8
 
-    def render(self, program, environment=None):
+    def render(self, program, environment=None, samples=None):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "image.ppm"
             result = run(program, path, environment=environment)
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-            self.check_output(result.stdout)
+            self.check_output(result.stdout, samples or self.samples)
             return read_ppm(path), result.stderr
 
-    def check_output(self, text):
+    def check_output(self, text, samples):
         """The frames and nothing else: validation layers write here, too. The host itself refuses frames in
         which samples are missed or accumulated twice."""
         lines = text.splitlines()
@@ -68,7 +68,21 @@ class Minimal(unittest.TestCase):
             self.assertGreater(visible, 0)
             self.assertEqual(once, visible, text)
             # Once for many samples is what the technique is for.
-            self.assertTrue(visible / self.samples <= events < visible / 2, text)
+            self.assertTrue(visible / samples <= events < visible / 2, text)
+
+    @staticmethod
+    def edge_shares(pixels, background, colors):
+        """Shares of the pixels that lie between the background and one of the colours."""
+        shares = []
+        for pixel in pixels:
+            if pixel in (background, *colors):
+                continue
+            for color in colors:
+                share = coverage(pixel, background, color)
+                if share is not None and 0.01 < share < 0.99:
+                    shares.append(share)
+                    break
+        return shares
 
     def check_image(self, pixels):
         counts = {}
@@ -80,15 +94,7 @@ class Minimal(unittest.TestCase):
         self.assertGreater(counts[background], len(pixels) / 2)
         for color in colors:  # the five triangles, each with pixels of its own
             self.assertGreater(counts[color], 20, full)
-        shares = []
-        for pixel in pixels:
-            if pixel in full:
-                continue
-            for color in colors:
-                share = coverage(pixel, background, color)
-                if share is not None and 0.01 < share < 0.99:
-                    shares.append(share)
-                    break
+        shares = self.edge_shares(pixels, background, colors)
         self.assertGreater(len(shares), 400, "few pixels lie between background and triangle")
         # Coverage comes in eighths, or as many parts as there are samples.
         parts = [share * self.samples for share in shares]
@@ -179,6 +185,49 @@ class ByIdOnOpenGl(ById):
 
     def test_refusals(self):
         self.check_refusals("ids_gl")
+
+
+class Triangles(Minimal):
+    samples = 64
+
+    def check_fine_image(self, pixels, eight_samples):
+        """The colours, the edges and the sum of light against an image of the same scene with 8 samples."""
+        counts = {}
+        for pixel in eight_samples:
+            counts[pixel] = counts.get(pixel, 0) + 1
+        background, *colors = sorted(counts, key=counts.get, reverse=True)[:6]
+        self.assertEqual(background, pixels[0])
+        for color in colors:  # the five triangles, each with pixels of its own
+            self.assertGreater(pixels.count(color), 20, color)
+        shares = self.edge_shares(pixels, background, colors)
+        self.assertGreater(len(shares), 400, "few pixels lie between background and triangle")
+        self.assertGreater(len({round(share * self.samples) for share in shares}), 48, "coverage has few steps")
+        for channel in range(3):
+            fine, coarse = (sum(linear(pixel[channel]) for pixel in image) for image in (pixels, eight_samples))
+            self.assertAlmostEqual(fine / coarse, 1, delta=0.02)
+
+
+class TrianglesOnVulkan(Triangles):
+    def test_frames_are_clean_under_validation(self):
+        pixels, messages = self.render("triangles_vk", VALIDATION)
+        self.assertIn('Insert instance layer "VK_LAYER_KHRONOS_validation"', messages)
+        self.check_fine_image(pixels, self.render("ids_vk", samples=8)[0])
+        opengl, _ = self.render("triangles_gl")
+        differences = [max(abs(a - b) for a, b in zip(p, q)) for p, q in zip(pixels, opengl)]
+        self.assertLessEqual(sum(d > 2 for d in differences), len(differences) / 1000)
+
+    def test_refusals(self):
+        self.check_refusals("triangles_vk")
+
+
+class TrianglesOnOpenGl(Triangles):
+    def test_frames_are_clean(self):
+        pixels, messages = self.render("triangles_gl")
+        self.assertEqual(messages, "")
+        self.check_fine_image(pixels, self.render("ids_gl", samples=8)[0])
+
+    def test_refusals(self):
+        self.check_refusals("triangles_gl")
 
 
 class Both(Minimal):

@@ -131,7 +131,8 @@ class Hosts(Extracted):
         run(CMAKE, "-G", "Ninja", "-S", EXAMPLES, "-B", hosts, f"-DCMAKE_PREFIX_PATH={ROOT / 'usr'}",
             "-DCMAKE_C_FLAGS=-Werror")
         run(CMAKE, "--build", hosts)
-        for host in ("minimal_vk", "minimal_gl", "gbuffer_gl", "gbuffer_vk", "ids_gl", "ids_vk", "checked_gl"):
+        for host in ("minimal_vk", "minimal_gl", "gbuffer_gl", "gbuffer_vk", "ids_gl", "ids_vk", "triangles_gl",
+                     "triangles_vk", "checked_gl"):
             self.assertIn(str(self.libraries), run("ldd", hosts / host))
         run(sys.executable, SOURCE / "tests" / "minimal" / "test_minimal.py", "Both",
             env=dict(os.environ, AGAA_MINIMAL=str(hosts)))

@@ -140,7 +140,8 @@ class Examples(unittest.TestCase):
         build, _ = configure(PREFIX / "share" / "doc" / "agaa" / "examples" / "minimal", "minimal",
                              "-DCMAKE_C_FLAGS=-Werror")
         run(CMAKE, "--build", build)
-        for host in ("minimal_vk", "minimal_gl", "gbuffer_gl", "gbuffer_vk", "ids_gl", "ids_vk"):
+        for host in ("minimal_vk", "minimal_gl", "gbuffer_gl", "gbuffer_vk", "ids_gl", "ids_vk", "triangles_gl",
+                     "triangles_vk"):
             self.assertIn(str(LIBRARY.parent), run("ldd", build / host))
         run(sys.executable, SOURCE / "tests" / "minimal" / "test_minimal.py",
             env=dict(os.environ, AGAA_MINIMAL=str(build)))

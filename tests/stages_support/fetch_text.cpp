@@ -18,8 +18,22 @@ std::string matrixText(const glm::mat4& m) {
 
 } // namespace
 
-std::string fetchText(const ViewSettings& settings, const char* storage, const char* more,
-                      const char* moreOfTriangles) {
+// Unmasked triangles have an alpha of 1, so that all may be masked.
+static std::string drawText(const Shot& shot) {
+    return "#ifdef AGAA_EXPANDS_TRIANGLES\nvoid agaaHostDraw(uint draw, inout AgaaDraw d) {\n"
+           "    d.primitives = draw >= hostFirstDraw ? " +
+           std::to_string(shot.triangles.size()) + "u : 0u;\n    d.isAlphaMasked = true;\n" + shot.draws + R"(
+}
+void agaaHostAlpha(AgaaPrimitive p, inout AgaaAlpha a) {
+    HostMaterial h = hostMaterial(p.primitive);
+    a.alpha = h.diffuse.w;
+    a.primitiveSeed = hostSeed(h);
+}
+#endif
+)";
+}
+
+std::string fetchText(const ViewSettings& settings, const char* storage, const Shot& shot) {
     return std::string("struct HostMaterial { vec4 diffuse, specular, emissive, normal, "
                        "geometricNormal; };\n") +
            storage + "const mat4 hostClip = " + matrixText(settings.projection * settings.view) +
@@ -35,7 +49,7 @@ void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, ino
     c = hostVertex(draw, 3u * primitive + 2u);
     HostMaterial h = hostMaterial(primitive);
     vec2 spare = vec2(h.specular.w, h.emissive.w);
-)" + moreOfTriangles +
+)" + shot.corners +
            R"(
 }
 void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
@@ -46,7 +60,8 @@ void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
     m.normal = h.normal.xyz;
     m.alpha2 = h.normal.w;
     vec2 spare = vec2(h.specular.w, h.emissive.w);
-)" + more + "}\n";
+)" + shot.material +
+           "}\n" + drawText(shot);
 }
 
 AgaaFetchFunction fetchFunction(const ViewSettings& settings, const std::string& text, const Shot& shot) {
@@ -55,6 +70,9 @@ AgaaFetchFunction fetchFunction(const ViewSettings& settings, const std::string&
     function.maxDraws = shot.announcedDraws ? shot.announcedDraws : drawNumber + settings.instances;
     function.maxPrimitives = shot.announced ? shot.announced : std::max(uint32_t(shot.triangles.size()), 1u);
     function.flags = shot.fetchFlags;
+    if (settings.computesTriangles)
+        function.maxTriangles =
+            shot.announcedTriangles ? shot.announcedTriangles : function.maxPrimitives * settings.instances;
     function.pNext = settings.chained;
     return function;
 }

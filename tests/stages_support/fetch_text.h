@@ -7,12 +7,10 @@
 
 namespace agaa::test {
 
-// GLSL. storage: vec3 hostPosition(uint vertex) and HostMaterial hostMaterial(uint primitive), a
-// struct of the vectors of a Material. more: of agaaHostMaterial()'s text, after the material m is
-// set. moreOfTriangles: of agaaHostTriangle()'s, after its corners are set. `spare` has Material::specular.w and
-// emissive.w in both.
-std::string fetchText(const ViewSettings& settings, const char* storage, const char* more = "",
-                      const char* moreOfTriangles = "");
+// GLSL. storage: vec3 hostPosition(uint vertex), HostMaterial hostMaterial(uint primitive), a struct of the vectors of
+// a Material, and uint hostSeed(HostMaterial h). The shot has further text of the functions, after material, corners
+// and draws are set. `spare` has Material::specular.w and emissive.w in the first two.
+std::string fetchText(const ViewSettings& settings, const char* storage, const Shot& shot);
 // By the text, which stays where it is; announces what the shot says.
 AgaaFetchFunction fetchFunction(const ViewSettings& settings, const std::string& text, const Shot& shot);
 

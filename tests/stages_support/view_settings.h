@@ -59,8 +59,9 @@ struct ViewSettings {
         return config.generationTier == AGAA_TIER_IDS || config.generationTier == AGAA_TIER_FRAGMENT_LISTS ||
                config.generationTier == AGAA_TIER_FRAGMENTS;
     }
-    bool hasInterlock = false; // the words of the tier interlock stay in shaders
-    uint32_t instances = 1;    // each shifted by instanceStep against the one before, and a draw of its own
+    bool hasInterlock = false;      // the words of the tier interlock stay in shaders
+    bool computesTriangles = false; // AgaaFetchFunction::maxTriangles
+    uint32_t instances = 1;         // each shifted by instanceStep against the one before, and a draw of its own
 };
 constexpr uint32_t drawNumber = 5;                            // of the first instance of all triangles
 constexpr const char* instanceStep = "vec3(0.75, 0.5, -1.0)"; // GLSL

@@ -134,6 +134,17 @@ void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
     m.alpha2 = scene.words[18u * vertex + 13u];
     m.emissive = sceneVector(vertex, 14u);
 }
+#ifdef AGAA_EXPANDS_TRIANGLES
+void agaaHostDraw(uint draw, inout AgaaDraw d) {
+    d.primitives = draw == 0u ? uint(scene.words.length()) / 54u : 0u;
+    d.isAlphaMasked = true; // alpha of opaque triangles is 1
+}
+void agaaHostAlpha(AgaaPrimitive p, inout AgaaAlpha a) {
+    a.alpha = scene.words[54u * p.primitive + 9u];
+    a.alphaCutoff = 0.5;
+    a.primitiveSeed = p.primitive;
+}
+#endif
 )";
 }
 

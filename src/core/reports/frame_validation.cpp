@@ -14,8 +14,9 @@ static bool isMisplaced(const AgaaFrameValidation& v) { return v.misplaced > v.v
 // Returns the most basic mistake that was found and its usual causes.
 static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses) {
     if (v.visible == 0 && geometryPasses == 0)
-        return "Nothing is visible: agaaHostSample says of no sample that it shows geometry. Usual causes: its "
-               "resources are not those that were drawn, or were not readable by compute yet.";
+        return "Nothing is visible: the host's functions, agaaHostSample or agaaHostDraw and agaaHostTriangle, provide "
+               "no geometry in the view. Usual causes: their resources are not those of the frame, or were not "
+               "readable by compute yet.";
     if (v.visible == 0)
         return "Nothing is visible: the first geometry pass drew nothing into the target. Usual causes: framebuffer, "
                "viewport or projection are not those of the pass, the depth test is not that of "
@@ -27,7 +28,8 @@ static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses
                "or view matrix was drawn with.";
     if (v.unannounced)
         return "Fragments have a draw or primitive that AgaaFetchFunction did not announce, and show the last that it "
-               "did. Usual causes: more draws or instances than maxDraws, an object of more primitives than "
+               "did, or primitives beyond what it announced were not drawn. Usual causes: more draws or instances than "
+               "maxDraws, an object of more primitives than "
                "maxPrimitives, AgaaSurfaceInput::draw that does not start at 0, or AGAA_UNFETCHED without "
                "AGAA_FETCH_NOT_ALL_DRAWS.";
     if (v.uncovered && v.overlapping)

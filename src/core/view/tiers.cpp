@@ -138,11 +138,13 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
 }
 
 // Puts the features that the host must provide before the reason.
-static std::string withNeeds(bool fetches, bool pulls, const std::string& reason) {
-    if (!fetches && !pulls)
-        return reason;
-    return format("with %s%s%s, %s", fetches ? "an AgaaFetchFunction" : "", fetches && pulls ? " and " : "",
-                  pulls ? "AGAA_VIEW_VERTEX_PULLING" : "", reason.c_str());
+static std::string withNeeds(const GenerationQuery& query, const std::string& reason) {
+    std::string needs;
+    if (query.fetches)
+        needs = query.expandsTriangles ? "an AgaaFetchFunction and its maxTriangles" : "an AgaaFetchFunction";
+    if (query.vertexPulling)
+        needs += needs.empty() ? "AGAA_VIEW_VERTEX_PULLING" : " and AGAA_VIEW_VERTEX_PULLING";
+    return needs.empty() ? reason : format("with %s, %s", needs.c_str(), reason.c_str());
 }
 
 // The first choice is that of AUTO. The other tiers that run follow, then those that need an AgaaFetchFunction.
@@ -163,22 +165,25 @@ static std::vector<GenerationChoice> runningChoices(TechniqueTable table, const 
             offers.push_back(offer);
     }
     for (GenerationChoice& choice : choices)
-        choice.reason = withNeeds(false, query.vertexPulling, choice.reason);
+        choice.reason = withNeeds(query, choice.reason);
     for (GenerationChoice& offer : offers)
-        choices.push_back({offer.row, withNeeds(true, query.vertexPulling, offer.reason)});
+        choices.push_back({offer.row, withNeeds(offered, offer.reason)});
     return choices;
 }
 
-// If nothing runs, the list has the tiers that run with vertex pulling.
+// If nothing runs, the list has the tiers that run with vertex pulling, or else those that run if compute passes expand
+// triangles.
 static std::vector<GenerationChoice> generationChoices(TechniqueTable table, const Technique& technique,
-                                                       GenerationQuery query) {
-    for (const bool pulls : {false, true}) {
-        query.vertexPulling = pulls;
-        if (const std::vector<GenerationChoice> choices = runningChoices(table, technique, query); !choices.empty())
+                                                       const GenerationQuery& query) {
+    GenerationQuery pulled = query, expanded = query;
+    pulled.vertexPulling = true;
+    expanded.expandsTriangles = true;
+    for (const GenerationQuery* tried : std::initializer_list<const GenerationQuery*>{&query, &pulled, &expanded})
+        if (const std::vector<GenerationChoice> choices = runningChoices(table, technique, *tried); !choices.empty())
             return choices;
-    }
-    query.fetches = true;
-    return {{nullptr, chooseGeneration(table, technique, query, AGAA_TIER_AUTO).reason}};
+    GenerationQuery fetched = query;
+    fetched.fetches = true;
+    return {{nullptr, chooseGeneration(table, technique, fetched, AGAA_TIER_AUTO).reason}};
 }
 
 namespace {

@@ -33,7 +33,12 @@ bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out 
     return true;
 }
 
+// Returns the range as lists with materials have it, so that both merge the same fragments.
 vec2 agaa_listedRange(uvec2 pixel, uint record) {
-    return agaa_growingDepth(agaa_planeOf(agaa_primitive(agaa_fragments.words[record]), pixel)).range;
+    vec2 middle = agaa_coverageMiddle(agaa_maskOf(record), AGAA_SAMPLES);
+    agaa_DepthPlane plane = agaa_growingDepth(agaa_planeOf(agaa_primitive(agaa_fragments.words[record]), pixel));
+    agaa_StoredPlane stored =
+        agaa_storePlane(vec3(plane.depth, plane.slope), agaa_depthsOfRange(plane.range), middle);
+    return agaa_loadedPlane(stored, middle, true).range;
 }
 #include "coverage/merge_lists.glsl"

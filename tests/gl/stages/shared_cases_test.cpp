@@ -4,6 +4,7 @@
 
 #include "adaptive_cases.h"
 #include "carried_cases.h"
+#include "compute_triangles_cases.h"
 #include "coverage_cases.h"
 #include "culling_cases.h"
 #include "facts_cases.h"
@@ -37,6 +38,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CarriedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PatternCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, RasterOrderCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ComputeTrianglesCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);

@@ -20,11 +20,11 @@ HostMaterial hostMaterial(uint primitive) {
     return HostMaterial(hostVector(at), hostVector(at + 4u), hostVector(at + 8u), hostVector(at + 12u),
                         hostVector(at + 16u));
 }
+uint hostSeed(HostMaterial h) { return uint(h.geometricNormal.w); }
 )";
 
 IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
-    : text_(fetchText(settings, storageText, shot.material, shot.corners)),
-      function_(fetchFunction(settings, text_, shot)) {
+    : text_(fetchText(settings, storageText, shot)), function_(fetchFunction(settings, text_, shot)) {
     settings.chained = &function_;
     view_ = std::make_unique<StageView>(context, settings);
     view_->setTriangles(shot.triangles);

@@ -9,6 +9,7 @@ layout(std430, set = 1, binding = 0) readonly buffer Vertices { vec4 data[]; } h
 layout(std430, set = 1, binding = 1) readonly buffer Materials { HostMaterial data[]; } hostMaterials;
 vec3 hostPosition(uint vertex) { return hostVertices.data[2u * vertex].xyz; }
 HostMaterial hostMaterial(uint primitive) { return hostMaterials.data[primitive]; }
+uint hostSeed(HostMaterial h) { return floatBitsToUint(h.geometricNormal.w); }
 )";
 
 ViewSettings settingsFor(uint32_t n, uint32_t c, uint32_t tier) {
@@ -22,8 +23,7 @@ ViewSettings settingsFor(uint32_t n, uint32_t c, uint32_t tier) {
 }
 
 IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
-    : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT),
-      text_(fetchText(settings, storageText, shot.material, shot.corners)),
+    : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT), text_(fetchText(settings, storageText, shot)),
       function_(fetchFunction(settings, text_, shot)) {
     function_.descriptorSetLayout = (uint64_t)set_.layout();
     settings.chained = &function_;

@@ -4,6 +4,7 @@
 
 #include "adaptive_cases.h"
 #include "carried_cases.h"
+#include "compute_triangles_cases.h"
 #include "coverage_cases.h"
 #include "culling_cases.h"
 #include "facts_cases.h"
@@ -39,6 +40,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CarriedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PatternCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, RasterOrderCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ComputeTrianglesCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);

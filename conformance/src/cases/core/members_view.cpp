@@ -117,6 +117,19 @@ void addFunctions(Suite& suite) {
                       fetch});
     addFlags(suite, {"AgaaFetchFunction.flags/flags", "AgaaFetchFunction::flags",
                      [](ViewParts& p, uint64_t flags) { p.fetch.flags = flags; }, AGAA_FETCH_NOT_ALL_DRAWS, fetch});
+    addMember(suite, {"AgaaFetchFunction.maxTriangles/AGAA_ERROR_OUT_OF_RANGE",
+                      "AgaaFetchFunction::maxTriangles",
+                      [](ViewParts& p, double x) { p.fetch.maxTriangles = whole(x); },
+                      {0, 1, 1u << 20, (1u << 31) - 1},
+                      {1u << 31, 0xFFFFFFFF},
+                      fetch});
+    addMember(suite, {"AgaaFetchFunction.reserved/zero",
+                      "AgaaFetchFunction::reserved",
+                      [](ViewParts& p, double x) { p.fetch.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      fetch,
+                      {1}});
     addMember(suite, {"AgaaShadowFunction.reserved/zero",
                       "AgaaShadowFunction::reserved",
                       [](ViewParts& p, double x) { p.shadow.reserved = whole(x); },

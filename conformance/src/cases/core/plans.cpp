@@ -214,6 +214,14 @@ bool needsPulling(const ViewParts& parts) {
     return countsCoverage(parts.config) && !(parts.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS);
 }
 
+// Returns whether only compute passes can expand triangles for coverage samples.
+bool needsExpansion(const ViewParts& parts) {
+    return countsCoverage(parts.config) && !(parts.caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS);
+}
+
+// Sets the member of the struct that is chained.
+void expandTriangles(ViewParts& parts) { parts.fetch.maxTriangles = parts.sceneFetch.maxTriangles = 1000; }
+
 // A row that can run has a plan with its tier; any other row is refused with a sentence. canRun is true if all stages
 // of the technique and n can run; otherwise there is no plan.
 void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row, bool canRun) {
@@ -233,7 +241,13 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
         nameOf(parts) + ", stage " + std::to_string(row.stage) + ", tier " + std::to_string(row.tier);
     if (row.tier == AGAA_TIER_AUTO || !canRun)
         return expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what);
-    if (needsPulling(parts)) {
+    if (needsExpansion(parts)) {
+        expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what + ", without maxTriangles");
+        expandTriangles(parts);
+        test.check(row.stage != AGAA_STAGE_GENERATION ||
+                       std::strstr(row.reason, "an AgaaFetchFunction and its maxTriangles"),
+                   what + " runs with AgaaFetchFunction::maxTriangles alone, which the reason does not name.");
+    } else if (needsPulling(parts)) {
         expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what + ", without AGAA_VIEW_VERTEX_PULLING");
         parts.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
         test.check(row.stage != AGAA_STAGE_GENERATION || std::strstr(row.reason, "AGAA_VIEW_VERTEX_PULLING"),
@@ -248,7 +262,7 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
                callWith("agaaPlanToJson", what) + " names the tier " + tier + ".");
 }
 
-// The first entry is the tier that AUTO selects without functions of the host.
+// The first entry is the tier that AUTO selects without functions of the host that its reason does not name.
 void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row) {
     ViewParts parts(test.sdk, nullptr);
     parts.caps = caps;
@@ -256,9 +270,11 @@ void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& ro
     parts.config.samples = row.samples;
     parts.config.flags = 0;
     parts.desc.pNext = nullptr;
-    if (countsCoverage(parts.config) && !hasCoverageSamples(row.technique))
+    if (countsCoverage(parts.config) && (!hasCoverageSamples(row.technique) || needsExpansion(parts)))
         parts.chain(parts.fetch);
-    if (needsPulling(parts))
+    if (needsExpansion(parts))
+        expandTriangles(parts);
+    else if (needsPulling(parts))
         parts.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
     const auto plan = nlohmann::json::parse(planText(test, parts));
     const std::string tier = plan.at("tiers").value(row.stage == AGAA_STAGE_PREPASS ? "visibility" : "generation", "");

@@ -244,6 +244,35 @@ void testVertexPulling(Test& test) {
     }
 }
 
+// Compute passes need no features of the device, but the materials of all draws.
+void testMaxTriangles(Test& test) {
+    for (const auto& [technique, tier, isExpanded] : {std::tuple{"dcaa", AGAA_TIER_FRAGMENT_LISTS, true},
+                                                      {"dcaa", AGAA_TIER_AUTO, true},
+                                                      {"agaa", AGAA_TIER_FRAGMENTS, true},
+                                                      {"dcaa", AGAA_TIER_MATERIAL_LISTS, false},
+                                                      {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK, false}}) {
+        const auto with = [technique = technique, tier = tier](uint32_t maxTriangles, uint64_t without) {
+            return [=](ViewParts& p) {
+                p.setTechnique("dcaa", 4); // this also chains sceneFetch
+                p.config.technique = technique;
+                p.config.generationTier = uint32_t(tier);
+                p.config.flags = 0;
+                p.sceneFetch.maxTriangles = maxTriangles;
+                p.caps.flags &= ~without;
+            };
+        };
+        const std::string taken = test.sdk.agaaTierName(tier == AGAA_TIER_AUTO ? AGAA_TIER_FRAGMENT_LISTS : tier);
+        const std::string name = std::string("the tier ") + test.sdk.agaaTierName(tier);
+        const AgaaResult expected = isExpanded ? AGAA_OK : unsupported;
+        for (const uint64_t without : {uint64_t(AGAA_DEVICE_FRAGMENT_ATOMICS), uint64_t(AGAA_DEVICE_GEOMETRY_SHADERS),
+                                       AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_GEOMETRY_SHADERS})
+            testRows(test, {{name + " without a feature", unsupported, with(0, without), ""},
+                            {name + " and maxTriangles = 1000 without a feature", expected, with(1000, without),
+                             isExpanded ? taken : ""}});
+        testRows(test, {{name + " and maxTriangles = 1000", AGAA_OK, with(1000, 0), taken}});
+    }
+}
+
 // Each tier needs features; without them AUTO selects another one, and "ssaa" does not use the tier at all.
 void testGenerationTier(Test& test) {
     struct Need {
@@ -459,6 +488,7 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
     suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
     suite.core("AGAA_VIEW_VERTEX_PULLING/AGAA_ERROR_UNSUPPORTED", testVertexPulling);
+    suite.core("AgaaFetchFunction.maxTriangles/AGAA_ERROR_UNSUPPORTED", testMaxTriangles);
     suite.core("AgaaConfig.generationTier/AGAA_ERROR_UNSUPPORTED", testGenerationTier);
     suite.core("AgaaConfig.visibilityTier/AGAA_ERROR_UNSUPPORTED", testVisibilityTier);
     suite.core("AgaaDeviceCaps.sampleCounts/AGAA_ERROR_UNSUPPORTED/queries", testSampleCounts);

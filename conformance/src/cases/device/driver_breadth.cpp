@@ -81,7 +81,10 @@ private:
             d.sceneFetch.pNext = d.desc.pNext;
             d.desc.pNext = &d.sceneFetch;
         }
-        if (needs(row, "AGAA_VIEW_VERTEX_PULLING") || (isFetched && !(caps_.flags & AGAA_DEVICE_GEOMETRY_SHADERS)))
+        const bool isExpanded = needs(row, "maxTriangles");
+        if (isExpanded && row.tier != AGAA_TIER_AUTO)
+            d.sceneFetch.maxTriangles = 1000;
+        else if (needs(row, "AGAA_VIEW_VERTEX_PULLING") || (isFetched && !(caps_.flags & AGAA_DEVICE_GEOMETRY_SHADERS)))
             d.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
         if (!isFirst)
             d.config.generationTier = row.tier;
