@@ -96,7 +96,8 @@ TYPED_TEST_P(PatternCases, MasksAreThoseOfTheTable) {
         SCOPED_TRACE(samples);
         ViewSettings settings = this->inPixels(this->settings(samples, 8));
         settings.config.coverage.tableSize = size;
-        settings.config.surfaceCosine = 1; // nothing merges
+        settings.config.surfaceCosine = 1;                         // nothing merges
+        settings.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER; // hidden fragments stay
         const Kept kept = this->keep(settings, {.triangles = triangles});
         ASSERT_EQ(kept.counters.discarded + kept.counters.mergedFirst + kept.counters.mergedSecond, 0u);
         const CpuTable table(size ? size : 128, this->pattern);
