@@ -15,14 +15,10 @@ layout(local_size_x = 64) in;
 shared uint agaa_shareSums[64]; // of the draws of each lane
 
 uint agaa_primitivesOf(uint draw) {
-    AgaaDraw d;
-    d.primitives = 0u;
-    d.culledFacing = 0;
-    d.isAlphaMasked = false;
-    agaaHostDraw(draw, d);
-    if (d.primitives > AGAA_MAX_PRIMITIVES)
-        agaa_count(AGAA_COUNT_UNANNOUNCED, d.primitives - AGAA_MAX_PRIMITIVES);
-    return min(d.primitives, AGAA_MAX_PRIMITIVES);
+    uint primitives = agaa_drawOf(draw).primitives;
+    if (primitives > AGAA_MAX_PRIMITIVES)
+        agaa_count(AGAA_COUNT_UNANNOUNCED, primitives - AGAA_MAX_PRIMITIVES);
+    return min(primitives, AGAA_MAX_PRIMITIVES);
 }
 
 void main() {

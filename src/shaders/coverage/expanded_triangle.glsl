@@ -37,15 +37,6 @@ agaa_Corners agaa_cornersOf(AgaaPrimitive p) {
     return agaa_Corners(agaa_cornerOf(p.a), agaa_cornerOf(p.b), agaa_cornerOf(p.c));
 }
 
-AgaaDraw agaa_drawOf(uint draw) {
-    AgaaDraw d;
-    d.primitives = 0u;
-    d.culledFacing = 0;
-    d.isAlphaMasked = false;
-    agaaHostDraw(draw, d);
-    return d;
-}
-
 bool agaa_isCulled(AgaaPrimitive p, AgaaDraw d) {
     float facing = d.culledFacing == 0 ? 0.0 : agaa_facing(p.a.xyw, p.b.xyw, p.c.xyw) * float(sign(d.culledFacing));
     return facing > 0.0;
@@ -61,16 +52,28 @@ agaa_Outline agaa_outlineOf(AgaaPrimitive p) {
 }
 
 #if AGAA_EXPANDS_MASKED
-uvec4 agaa_alphaSamples(uint id, uvec2 pixel) {
+// Counts what the mask of a fragment demands, once in a frame.
+void agaa_countMask(float cutoff) {
+    if (AGAA_CHECK_FACTS == 0u || !agaa_isFirstDraw())
+        return;
+    agaa_count(AGAA_COUNT_ALPHA_MASKED, 1u);
+    agaa_count(cutoff > 0.0 ? AGAA_COUNT_CUTOUTS : AGAA_COUNT_TRANSLUCENT, 1u);
+}
+
+// Returns those of the covered samples that alpha covers, too.
+uvec4 agaa_alphaSamples(uint id, uvec2 pixel, uvec4 covered) {
     AgaaPrimitive p = agaa_primitive(id);
     if (!agaa_drawOf(p.draw).isAlphaMasked)
-        return uvec4(0xFFFFFFFFu);
+        return covered;
     agaa_expandedPixel = pixel;
     agaaMoveTo(p, vec2(0.0));
     AgaaAlpha a = AgaaAlpha(1.0, 0.0, false, vec4(1.0), false, vec4[4](vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0)), 0u);
     agaaHostAlpha(p, a);
     a.alphaCutoff = agaa_sanitiseAlpha(a.alphaCutoff);
-    return agaa_maskedSamples(a, agaa_sanitiseAlpha(a.alpha), vec2(0.0), pixel);
+    uvec4 mask = agaa_maskedSamples(a, agaa_sanitiseAlpha(a.alpha), vec2(0.0), pixel) & covered;
+    if (agaa_coverageCount(mask) != 0u)
+        agaa_countMask(a.alphaCutoff);
+    return mask;
 }
 #endif
 
@@ -81,7 +84,7 @@ void agaa_expandPixel(uint id, agaa_Corners corners, uvec2 pixel) {
 #if AGAA_EXPANDS_MASKED
     // Software rasterisers execute both sides of a branch, but leave a loop.
     for (uint k = 0u; k < 1u && agaa_coverageCount(mask) != 0u; ++k)
-        mask &= agaa_alphaSamples(id, pixel);
+        mask = agaa_alphaSamples(id, pixel, mask);
 #endif
     if (agaa_coverageCount(mask) == 0u)
         return;

@@ -73,6 +73,15 @@ void agaa_evaluateAt(inout AgaaPrimitive p, uvec2 pixel, vec2 offset) {
 }
 
 #ifdef AGAA_EXPANDS_TRIANGLES
+AgaaDraw agaa_drawOf(uint draw) {
+    AgaaDraw d;
+    d.primitives = 0u;
+    d.culledFacing = 0;
+    d.isAlphaMasked = false;
+    agaaHostDraw(draw, d);
+    return d;
+}
+
 uvec2 agaa_expandedPixel = uvec2(0u);
 
 void agaaMoveTo(inout AgaaPrimitive p, vec2 offset) {
