@@ -34,6 +34,28 @@ TEST(HardCase37_BadMaterial, OneSampleMovesTheMeanByItsWeight) {
     }
 }
 
+// x * (1 / y), as GPUs compute it: the reciprocal of what exceeds 2^126 is denormal and becomes 0.
+static float quotientOnGpu(float x, float y) {
+    const float reciprocal = 1 / y;
+    return x * (std::abs(reciprocal) < FLT_MIN ? 0 : reciprocal);
+}
+
+TEST(HardCase37_BadMaterial, QuotientsNearTheLargestFloat) {
+    Random random(337);
+    size_t lost = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const float y = i == 0 ? FLT_MAX : float(random.decades(1e-37, 3.4e38)), x = y * random.rangeF(0.001f, 1);
+        const double expected = double(x) / double(y);
+        lost += quotientOnGpu(x, y) == 0;
+        const float scale = math_f::agaa_divisionScale(y);
+        ASSERT_NEAR(quotientOnGpu(x * scale, y * scale), expected, 2e-7 * expected) << x << " / " << y;
+        ASSERT_NEAR(math_f::agaa_quotient(x, y), expected, 2e-7 * expected) << x << " / " << y;
+    }
+    EXPECT_GT(lost, 500u) << "without the scale";
+    unsigned flag = 0;
+    EXPECT_EQ(math_f::agaa_sanitiseEmission({0, 3e38f, 1.5e38f}, 16.0f, flag), glm::vec3(0, 16, 8));
+}
+
 TEST(HardCase37_BadMaterial, SanitisedAndCounted) {
     const float bad[] = {nanF(), -nanF(), infinityF(), -infinityF()};
     for (float x : bad) {

@@ -40,8 +40,9 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     float size = agaa_largestMagnitude(n);
     if (!agaa_isFinite3(n) || size == 0.0)
         return vec3(0.0, 0.0, 1.0);
-    n = normalize(n / size);
-    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(agaa_largestMagnitude(a), 1e-30));
+    n = normalize(agaa_quotient3(n, size));
+    float away =
+        agaa_isOrthographic() != 0u ? -n.z : dot(n, agaa_quotient3(a, max(agaa_largestMagnitude(a), 1e-30)));
     return away > 0.0 ? -n : n;
 }
 

@@ -35,7 +35,7 @@ rvec2 agaa_depthRange(rvec3 z, rvec3 w) {
     rvec2 range = rvec2(real(1.0), real(0.0));
     for (int i = 0; i < 3; ++i) {
         if (w[i] > real(0.0)) {
-            const real depth = agaa_saturate(z[i] / w[i]);
+            const real depth = agaa_saturate(agaa_quotient(z[i], w[i]));
             range = rvec2(min(range.x, depth), max(range.y, depth));
         }
     }

@@ -67,7 +67,7 @@ rvec3 agaa_directionOrZ(rvec3 n) {
     rvec3 result = rvec3(real(0.0), real(0.0), real(1.0));
     if (agaa_hasDirection(n)) {
         const real m = max(abs(n.x), max(abs(n.y), abs(n.z)));
-        result = rvec3(n.x / m, n.y / m, n.z / m);
+        result = agaa_quotient3(n, m);
     }
     return result;
 }

@@ -38,7 +38,8 @@ rvec3 agaa_facetNormal(agaa_FacetFrame facets, rvec3 plane) {
     const real largest = max(max(abs(n.x), abs(n.y)), abs(n.z));
     if (!(largest > real(0.0)))
         return rvec3(real(0.0));
-    const rvec3 scaled = n * (real(1.0) / max(largest, real(1e-37)));
+    const real scale = agaa_divisionScale(largest);
+    const rvec3 scaled = n * scale * (real(1.0) / max(largest * scale, real(1e-37)));
     return scaled * (real(1.0) / sqrt(max(dot(scaled, scaled), real(1e-12))));
 }
 #endif

@@ -35,6 +35,22 @@ real agaa_sq(real x) {
     return x * x;
 }
 
+// Returns the power of two by which to multiply numbers up to `largest` before a division by a number of that size.
+// GPUs compute x / y as x * (1 / y), which is 0 above 2^126, where 1 / y is denormal; Vulkan leaves this result open.
+real agaa_divisionScale(real largest) {
+    return abs(largest) > real(1e37) ? real(1.52587890625e-5) : real(1.0); // 2^-16
+}
+
+// Returns x / y for each finite y that is not denormal.
+real agaa_quotient(real x, real y) {
+    const real scale = agaa_divisionScale(y);
+    return x * scale / (y * scale);
+}
+
+rvec3 agaa_quotient3(rvec3 v, real y) {
+    return rvec3(agaa_quotient(v.x, y), agaa_quotient(v.y, y), agaa_quotient(v.z, y));
+}
+
 // Returns 1/x with the magnitude of x at least 1e-25, so that the result is finite if x is 0 or denormal.
 real agaa_guardedReciprocal(real x) {
     const real magnitude = max(abs(x), real(1e-25));

@@ -50,7 +50,7 @@ rvec3 agaa_sanitiseEmission(rvec3 v, real range, INOUT(uint) bad) {
     const real largest = max(e.x, max(e.y, e.z));
     rvec3 result = e;
     if (largest > range) {
-        const rvec3 hue = rvec3(e.x / largest, e.y / largest, e.z / largest);
+        const rvec3 hue = agaa_quotient3(e, largest);
         result = rvec3(hue.x * range, hue.y * range, hue.z * range);
     }
     return result;

@@ -25,7 +25,7 @@ struct agaa_ClippedTriangle {
 };
 
 void agaa_addClipped(INOUT(agaa_ClippedTriangle) clipped, rvec4 vertex, rvec2 pixelsPerNdc) {
-    const rvec2 p = rvec2(vertex.x, vertex.y) / vertex.w * abs(pixelsPerNdc);
+    const rvec2 p = rvec2(agaa_quotient(vertex.x, vertex.w), agaa_quotient(vertex.y, vertex.w)) * abs(pixelsPerNdc);
     const real size = max(abs(p.x), abs(p.y));
     clipped.bounded = clipped.bounded && vertex.w > real(0.0) && agaa_isFinite(size) && size < real(1e7);
     clipped.size = max(clipped.size, size);
