@@ -60,9 +60,9 @@ typedef struct AgaaCounters {
 #define AGAA_MAX_PASSES 32
 typedef struct AgaaPassTime {
     char name[48];
-    uint32_t stage;   /* AgaaStage */
-    uint32_t isTimed; /* 0: the time is unknown */
-    double milliseconds;
+    uint32_t stage;       /* AgaaStage */
+    uint32_t isTimed;     /* 0: the time is unknown */
+    double milliseconds;  /* of all its repetitions */
     uint64_t reserved[2]; /* 0 */
 } AgaaPassTime;
 

@@ -201,8 +201,9 @@ void View::dispatch(const Dispatch& dispatch, uint32_t slot) {
     gl.DispatchCompute(x, y, 1);
 }
 
-void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, const Step& step,
+void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, size_t number,
                    uint32_t slot, HostState& state) {
+    const Step& step = steps[number];
     const size_t index = step.pass;
     const Pass& pass = plan.passes[index];
     const GladGLContext& gl = context.gl;
@@ -210,9 +211,8 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         gl.MemoryBarrier(bits);
     // This precedes the pass because the stores of a draw whose callback then fails need barriers too.
     barriers.after(plan, pass);
-    // The time of a repeated pass lasts from its first step to its last.
-    if (clock && step.isFirst)
-        clock->begin(slot, index);
+    if (clock)
+        clock->begin(slot, number);
     switch (pass.kind()) {
     case PassKind::HostDraw:
         runHostDraw(frame, glFrame, step, slot, state);
@@ -232,8 +232,8 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         runTransfer(pass, frame.frameIndex, slot);
         break;
     }
-    if (clock && step.isLast)
-        clock->end(slot, index);
+    if (clock)
+        clock->end(slot, number);
 }
 
 namespace {
@@ -280,7 +280,8 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const V
     context.gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &groups);
     uint32_t batch = 0;
     bool isRepetitionFinished = false;
-    for (const Step& step : steps) {
+    for (size_t number = 0; number < steps.size(); ++number) {
+        const Step& step = steps[number];
         const Pass& pass = plan.passes[step.pass];
         if (!(pass.segment & frame.segments))
             continue;
@@ -291,14 +292,14 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const V
             isRepetitionFinished = isFinished(step, slot);
         batch = step.batch;
         if (isRepetitionFinished) {
-            if (clock && step.isLast)
-                clock->end(slot, step.pass);
+            if (clock)
+                clock->skip(slot, number);
             continue;
         }
         std::optional<DebugGroup> group;
         if (groups < context.maxDebugGroups)
             group.emplace(context.gl, "agaa " + pass.name);
-        runStep(frame, glFrame, variant, step, slot, state);
+        runStep(frame, glFrame, variant, number, slot, state);
     }
     // The host may use the contents that the segment wrote in any way.
     context.gl.MemoryBarrier(GL_ALL_BARRIER_BITS);

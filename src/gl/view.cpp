@@ -30,7 +30,7 @@ View::View(Context& owner, Plan framePlan)
         addVariant(plan);
         positions = readPositions();
         if (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS)
-            clock.emplace(context, plan.passes.size(), context.framesInFlight);
+            clock.emplace(context, steps, plan.passes.size(), context.framesInFlight);
         context.checkErrors("creating the view");
     } catch (...) {
         destroy();

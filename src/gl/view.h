@@ -54,7 +54,7 @@ private:
     bool isFinished(const Step& step, uint32_t slot) const;
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,
                    HostState& state);
-    void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, const Step& step,
+    void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, size_t number,
                  uint32_t slot, HostState& state);
     void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                      HostState& state);

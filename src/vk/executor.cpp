@@ -177,9 +177,8 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     }
     StepBarriers& before = barriers[number];
     recordBarriers(vk, commands, before, vkFrame);
-    const uint32_t query = uint32_t(2 * (slot * passes.size() + index));
-    // The time of a repeated pass lasts from its first step to its last.
-    if (queries && step.isFirst)
+    const uint32_t query = uint32_t(2 * (slot * steps.size() + number));
+    if (queries)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query);
     AgaaResult result = AGAA_OK;
     switch (pass.kind()) {
@@ -201,7 +200,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
         recordTransfer(pass, frame.frameIndex, slot, commands);
         break;
     }
-    if (queries && step.isLast)
+    if (queries)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query + 1);
     if (before.endsOutput)
         releaseOutput(vk, commands, vkFrame);
@@ -215,8 +214,7 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, cons
                         bool begins) {
     const auto commands = static_cast<VkCommandBuffer>(vkFrame.commandBuffer);
     if (begins && queries)
-        context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
-                                     uint32_t(2 * passes.size()));
+        context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * steps.size()), uint32_t(2 * steps.size()));
     if (begins && needsClear(frame)) {
         clearPersistent(commands);
         clearedIn_ = frame.frameIndex;

@@ -21,7 +21,7 @@ void View::readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::sp
 
 std::vector<double> View::readPassTimes(uint32_t slot) const {
     std::vector<double> times;
-    std::vector<uint64_t> stamps(2 * passes.size());
+    std::vector<uint64_t> stamps(2 * steps.size());
     if (!queries)
         return times;
     const VkResult result = context.vk.GetQueryPoolResults(context.device, queries, uint32_t(slot * stamps.size()),
@@ -30,9 +30,10 @@ std::vector<double> View::readPassTimes(uint32_t slot) const {
     if (result == VK_NOT_READY)
         return times;
     check(result, "vkGetQueryPoolResults");
-    for (size_t i = 0; i < passes.size(); ++i)
-        times.push_back(double(elapsedTicks(stamps[2 * i], stamps[2 * i + 1], context.timestampBits)) *
-                        double(context.timestampPeriod) * 1e-6);
+    times.resize(passes.size());
+    for (size_t i = 0; i < steps.size(); ++i)
+        times[steps[i].pass] += double(elapsedTicks(stamps[2 * i], stamps[2 * i + 1], context.timestampBits)) *
+                                double(context.timestampPeriod) * 1e-6;
     return times;
 }
 

@@ -198,7 +198,7 @@ void View::createSlots() {
     VkQueryPoolCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    info.queryCount = uint32_t(2 * passes.size() * slots.size());
+    info.queryCount = uint32_t(2 * steps.size() * slots.size());
     check(context.vk.CreateQueryPool(context.device, &info, nullptr, &queries), "vkCreateQueryPool");
     context.name(VK_OBJECT_TYPE_QUERY_POOL, (uint64_t)queries, "agaa timestamps");
 }

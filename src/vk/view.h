@@ -51,7 +51,7 @@ public:
     std::vector<FrameSlot> slots;
     std::vector<StepBarriers> barriers; // by step
     VkDescriptorPool descriptorPool = VK_NULL_HANDLE;
-    VkQueryPool queries = VK_NULL_HANDLE; // two timestamps per pass and slot
+    VkQueryPool queries = VK_NULL_HANDLE; // two timestamps per step and slot
 
 private:
     void createPassObjects();
