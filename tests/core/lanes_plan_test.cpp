@@ -3,6 +3,8 @@
 
 #include "core/base/embedded.h"
 #include "core/base/error.h"
+#include "core/glsl/compile_glsl.h"
+#include "core/glsl/glsl_text.h"
 #include "core/plan/permutations.h"
 #include "core/view/lanes.h"
 
@@ -104,6 +106,56 @@ TEST(Lanes, OtherTechniquesDoNotUseTheSetting) {
         EXPECT_EQ(noteOf(plan), "") << technique;
         EXPECT_EQ(planToJson(plan).find("\"lanes\""), std::string::npos) << technique;
     }
+}
+
+// The first dimension of a module's workgroups (OpExecutionMode LocalSize).
+uint32_t workgroupWidth(std::span<const uint32_t> words) {
+    for (size_t at = 5; at < words.size(); at += words[at] >> 16)
+        if ((words[at] & 0xFFFF) == 16 && words[at + 2] == 17)
+            return words[at + 3];
+    return 0;
+}
+
+// VUID-VkPipelineShaderStageCreateInfo-flags-02759.
+TEST(Lanes, FullSubgroupsFillTheWidthOfWorkgroups) {
+    const AgaaDeviceCaps caps = deviceWith(32);
+    AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+    fetch.glsl = "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {}\n"
+                 "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {}\n";
+    fetch.maxDraws = fetch.maxPrimitives = 1000;
+    size_t passes = 0;
+    struct Row {
+        const char* technique;
+        AgaaTier tier;
+        uint64_t flags = 0;
+    };
+    const Row rows[] = {{"agaa", AGAA_TIER_POST_DEPTH_ATOMICS},
+                        {"agaa", AGAA_TIER_GBUFFER},
+                        {"agaa", AGAA_TIER_IDS},
+                        {"agaa", AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED},
+                        {"sbaa", AGAA_TIER_POST_DEPTH_ATOMICS},
+                        {"adaptive", AGAA_TIER_GBUFFER},
+                        {"adaptive", AGAA_TIER_IDS}};
+    for (const Row& row : rows)
+        for (const uint32_t n : {2u, 8u, 32u}) {
+            ViewSpec spec = specWith(n, AGAA_LANES_AUTO, row.tier);
+            spec.technique = row.technique;
+            spec.configFlags |= row.flags;
+            if (row.tier == AGAA_TIER_IDS)
+                spec.chained = &fetch;
+            for (const Pass& pass : planFor(spec, caps).passes) {
+                if (pass.kind() != PassKind::Compute || !pass.compute().fullSubgroups)
+                    continue;
+                std::vector<uint32_t> compiled;
+                const ComputePart& program = pass.compute();
+                if (!program.text.empty() || !program.hostCode.empty())
+                    compiled = compileCompute(passGlsl(pass), pass.name.c_str());
+                const std::span<const uint32_t> words = compiled.empty() ? embeddedSpirv(program.shader) : compiled;
+                EXPECT_EQ(workgroupWidth(words), 64u) << row.technique << " " << n << ": " << pass.name;
+                ++passes;
+            }
+        }
+    EXPECT_GT(passes, 10u);
 }
 
 // Executors read only ComputePart::fullSubgroups.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace agaa::test {
@@ -116,14 +117,18 @@ paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragmen
 }
 
 void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel,
-                float leastStep) {
+                bool isRounded) {
     ASSERT_EQ(got.size(), expected.size()) << "pixel " << pixel;
     for (size_t i = 0; i < got.size(); ++i) {
         SCOPED_TRACE("pixel " + std::to_string(pixel) + ", surface " + std::to_string(i));
         EXPECT_EQ(got[i].coverage, expected[i].coverage);
-        EXPECT_NEAR(got[i].depth, expected[i].depth, 4e-7f * std::fabs(expected[i].depth));
-        EXPECT_NEAR(got[i].slopeX, expected[i].slopeX, 0.008f * std::fabs(expected[i].slopeX) + leastStep);
-        EXPECT_NEAR(got[i].slopeY, expected[i].slopeY, 0.008f * std::fabs(expected[i].slopeY) + leastStep);
+        const float slopes[] = {std::fabs(expected[i].slopeX), std::fabs(expected[i].slopeY)};
+        const float step = isRounded ? std::max(slopes[0], slopes[1]) / 64 + 3e-8f : 1e-9f;
+        // Depths are kept at the middle of samples, and slopes lead to the pixel's centre.
+        EXPECT_NEAR(got[i].depth, expected[i].depth,
+                    isRounded ? 1e-6f * std::fabs(expected[i].depth) + step : 4e-7f * std::fabs(expected[i].depth));
+        EXPECT_NEAR(got[i].slopeX, expected[i].slopeX, 0.008f * slopes[0] + step);
+        EXPECT_NEAR(got[i].slopeY, expected[i].slopeY, 0.008f * slopes[1] + step);
         for (int k = 0; k < 3; ++k)
             EXPECT_NEAR(got[i].normal[k], expected[i].normal[k], 1e-4f);
     }

@@ -51,10 +51,9 @@ void storeSurface(paper::Surface& surface, uint32_t samples);
 paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment, size_t pixel);
 
 // Masks are equal; numbers differ by steps of what memory keeps at most.
-// leastStep: of slopes near 0.
+// isRounded: by programs that round differently, so that slopes may be a step apart. Both slopes of a surface have the
+// step of the larger one, and half floats below their normal range step by 6e-8.
 void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel,
-                float leastStep = 1e-9f);
-// Of slopes of programs that round differently: half floats below their normal range step by 6e-8.
-constexpr float roundedStep = 3e-8f;
+                bool isRounded = false);
 
 } // namespace agaa::test

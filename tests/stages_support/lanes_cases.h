@@ -125,11 +125,11 @@ protected:
         return variants;
     }
 
-    static void expectSameShown(const Shown& one, const Shown& other, const LaneRow& row, AgaaLanes lanes) {
-        size_t different = 0;
-        for (size_t i = 0; i < one.rgb.size(); i += 3)
-            different += std::memcmp(&one.rgb[i], &other.rgb[i], 3 * sizeof(float)) != 0;
-        EXPECT_EQ(different, 0u) << "pixels of " << row << " with lanes " << lanes;
+    // A GPU's compiler may contract the arithmetic of one variant and not of another: on an NVIDIA H100, 2 pixels of
+    // one row differ in the last bits.
+    void expectSameShown(const Shown& one, const Shown& other, const LaneRow& row, AgaaLanes lanes) {
+        SCOPED_TRACE(testing::Message() << row << " with lanes " << lanes);
+        expectSameImage(other.rgb, one.rgb, context.caps());
         EXPECT_EQ(std::memcmp(&one.counters, &other.counters, sizeof one.counters), 0)
             << "counters of " << row << " with lanes " << lanes;
     }

@@ -79,9 +79,9 @@ VKAPI_ATTR VkResult VKAPI_CALL createShaderModule(VkDevice device, const VkShade
                                          6 << 16 | 16,
                                          1,
                                          17,
+                                         64, // as of passes with full subgroups
                                          1,
-                                         1,
-                                         1, // OpExecutionMode %1 LocalSize 1 1 1
+                                         1, // OpExecutionMode %1 LocalSize 64 1 1
                                          2 << 16 | 19,
                                          2, // %2 = OpTypeVoid
                                          3 << 16 | 33,
