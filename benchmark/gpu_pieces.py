@@ -1,6 +1,7 @@
 """The pieces of a run on a GPU. Each is one process or a few, whose result is JSON."""
 import dataclasses
 import json
+import os
 import subprocess
 from typing import Callable
 
@@ -8,6 +9,7 @@ import passes
 from runs import view_options
 
 TESTS = ["test_vk_stages", "test_gl_stages", "test_vk_scenes", "test_gl_scenes", "test_vk_accuracy", "test_threads"]
+TESTS_OF_PIECE = 3  # a driver's compiler may need a minute for a test
 SPP = 256  # samples per pixel of references
 FIRST_ROWS = 10  # are measured in all scenes before the other rows
 
@@ -19,7 +21,8 @@ class OutOfTime(Exception):
 @dataclasses.dataclass(frozen=True)
 class Piece:
     name: str
-    run: Callable  # from a Machine to the result
+    run: Callable       # from a Machine to the result
+    timed: bool = True  # runs while nothing else does
 
 
 class Machine:
@@ -30,10 +33,10 @@ class Machine:
         self.folder = folder
         self.left = left  # a function: the seconds until the end of the call
 
-    def run(self, program, *arguments):
+    def run(self, program, *arguments, **environment):
         try:
             return subprocess.run([self.programs / program, *map(str, arguments)], capture_output=True, text=True,
-                                  timeout=max(self.left(), 0.1))
+                                  timeout=max(self.left(), 0.1), env={**os.environ, **environment})
         except subprocess.TimeoutExpired:
             raise OutOfTime from None
 
@@ -49,15 +52,22 @@ class Machine:
 # ---- tests ---------------------------------------------------------------------------------------
 
 def suites_of(listing):
-    """The suites that --gtest_list_tests names."""
-    return [line.split("#")[0].strip().rstrip(".") for line in listing.splitlines()
-            if line and not line.startswith((" ", "Running", "["))]
+    """The suites that --gtest_list_tests names, and how many tests each has."""
+    found = {}
+    for line in listing.splitlines():
+        if line.startswith(" "):
+            found[suite] += 1
+        elif line and not line.startswith(("Running", "[")):
+            suite = line.split("#")[0].strip().rstrip(".")
+            found[suite] = 0
+    return found
 
 
-def run_suite(machine, program, suite):
-    report = machine.folder / "gtest.json"
+def run_suite(machine, program, suite, shard=0, shards=1):
+    report = machine.folder / f"{program}-{suite.replace('/', '_')}-{shard}.json"
     report.unlink(missing_ok=True)
-    done = machine.run(program, f"--gtest_filter={suite}.*", f"--gtest_output=json:{report}")
+    done = machine.run(program, f"--gtest_filter={suite}.*", f"--gtest_output=json:{report}",
+                       GTEST_SHARD_INDEX=str(shard), GTEST_TOTAL_SHARDS=str(shards))
     if not report.exists():
         return {"program": program, "suite": suite, "tests": 0, "skipped": [],
                 "failed": [{"name": suite, "text": f"exit status {done.returncode}: {done.stderr[-400:]}"}]}
@@ -69,7 +79,7 @@ def run_suite(machine, program, suite):
 
 
 def run_conformance(machine, backend):
-    report = machine.folder / "conformance.json"
+    report = machine.folder / f"conformance-{backend}.json"
     report.unlink(missing_ok=True)
     done = machine.run("agaa-conformance", "--backend", backend, "--json", report)
     tests = json.loads(report.read_text())["results"] if report.exists() else []
@@ -82,16 +92,18 @@ def run_conformance(machine, backend):
 
 def test_pieces(machine, backends):
     pieces = []
+    if (machine.programs / "agaa-conformance").exists():
+        pieces += [Piece(f"tests/agaa-conformance-{backend}", lambda m, backend=backend: run_conformance(m, backend), timed=False)
+                   for backend in backends]
     for program in TESTS:
         if not (machine.programs / program).exists():
             print(f"gpu_run: {machine.programs / program} is not there; its tests are left out.", flush=True)
             continue
-        for suite in suites_of(machine.run(program, "--gtest_list_tests").stdout):
-            pieces.append(Piece(f"tests/{program}-{suite.replace('/', '_')}",
-                                lambda m, program=program, suite=suite: run_suite(m, program, suite)))
-    if (machine.programs / "agaa-conformance").exists():
-        pieces += [Piece(f"tests/agaa-conformance-{backend}", lambda m, backend=backend: run_conformance(m, backend))
-                   for backend in backends]
+        for suite, tests in suites_of(machine.run(program, "--gtest_list_tests").stdout).items():
+            shards = -(-tests // TESTS_OF_PIECE)
+            pieces += [Piece(f"tests/{program}-{suite.replace('/', '_')}-{shard}",
+                             lambda m, program=program, suite=suite, shard=shard, shards=shards:
+                             run_suite(m, program, suite, shard, shards), timed=False) for shard in range(shards)]
     return pieces
 
 

@@ -34,7 +34,8 @@ def rows():
     found += [Row("agaa", 8, 2, tier) for tier in ACCUMULATING] + [Row("sbaa", 8, 2, tier) for tier in ACCUMULATING]
     found += [Row("adaptive", 8, tier=tier) for tier in ("gbuffer", "ids")]
     found += [Row("dcaa", 64, 4, tier) for tier in ("material-lists", "interlock", "raster-order")]
-    found += [dataclasses.replace(row, way="vertex pulling", more=("--expand", "pulling"))
+    found += [dataclasses.replace(row, way=way, more=("--expand", expand))
+              for way, expand in (("vertex pulling", "pulling"), ("compute", "compute"))
               for row in (Row("dcaa", 64, 4, "lists"), Row("dcaa", 64, 4, "material-lists"), Row("agaa", 64, 4, "fragments"))]
     for n in (8, 32):
         found += [dataclasses.replace(row, way=f"lanes {lanes}", more=("--lanes", lanes))

@@ -96,7 +96,7 @@ class Run(unittest.TestCase):
 class Parts(unittest.TestCase):
     def test_suites_of_a_program(self):
         listing = "Running main() from gtest.cc\nOne.\n  Test  # GetParam() = 1\nAll/Two/0.  # TypeParam = X\n  Test\n"
-        self.assertEqual(gpu_pieces.suites_of(listing), ["One", "All/Two/0"])
+        self.assertEqual(gpu_pieces.suites_of(listing), {"One": 1, "All/Two/0": 1})
 
     def test_devices_of_both_apis_have_one_folder(self):
         self.assertEqual(gpu_run.slug("NVIDIA H200/PCIe/SSE2"), gpu_run.slug("NVIDIA H200"))
