@@ -33,7 +33,7 @@ COLUMNS = [              # of the picture: heading, technique, n, c
 
 # The table: heading, technique, n, c or S, tier, preset
 SCENES = "bamboo", "metal"
-PASSES_SCENE = "metal"
+PASSES_SCENE = "bamboo"
 ROWS = [
     ("`single`, one sample", "single", 1, 0, "", ""),
     ("MSAA: `msaa`", "msaa", 8, 0, "", ""),
@@ -153,13 +153,15 @@ def table(sweep, passes):
         return next(filter(is_wanted, scene["rows"]))
 
     def timed(technique, samples, aggregates, tier, preset):
-        """Milliseconds of all passes by API, or "–" where they were not measured."""
-        found = {}
+        """Milliseconds of all passes on Vulkan, or "–" where they were not measured."""
         for row in passes["rows"]:
-            if ((row["technique"], row["samples"], row["aggregates"], row["scene"], tier_of(row), "")
-                    == (technique, samples, aggregates, PASSES_SCENE, tier, preset)):
-                found[row["backend"]] = f"{sum(one['ms']['median'] for one in row['passes']):.2f}"
-        return f"{found.get('vk', '–')} / {found.get('gl', '–')}"
+            # A preset has the number of aggregates.
+            if ((row["technique"], row["samples"], row["scene"], row["backend"], row.get("way", ""))
+                    == (technique, samples, PASSES_SCENE, "vk", "")
+                    and row["aggregates"] == (0 if preset else aggregates)
+                    and (tier_of(row), row.get("preset", "")) == (tier, preset)):
+                return f"{sum(one['ms']['median'] for one in row['passes'] if one['ms']):.2f}"
+        return "–"
 
     gpu = next(row for row in passes["rows"] if (row["scene"], row["backend"]) == (PASSES_SCENE, "vk"))
     lines = [["8 samples per pixel", "error", "bytes per pixel", "shading events per covered pixel",
@@ -176,8 +178,8 @@ def table(sweep, passes):
                       both([row["frameMs"]["median"] for row in rows], "{:.0f}".format), timed(*settings)])
     first, second = (f"`{name}`" for name in SCENES)
     samples = {scene["reference"]["spp"] for scene in scenes}
-    text = (f"Pairs are the scenes {first} / {second} at {sweep['size']}, and for the GPU Vulkan / OpenGL in "
-            f"`{PASSES_SCENE}` at {gpu['size']}. The error is the mean square after tone mapping against "
+    text = (f"Pairs are the scenes {first} / {second} at {sweep['size']}, and the GPU renders "
+            f"`{PASSES_SCENE}` at {gpu['size']} on Vulkan. The error is the mean square after tone mapping against "
             f"{max(samples)} samples per pixel; `single` has 100 %. CPU: {backend['device']}, Mesa's software rasteriser. GPU: "
             f"{gpu['device']}, sums of the medians of pass times; “–” was not measured.")
     return "".join(table_row(line) + "\n" for line in lines) + "\n" + textwrap.fill(text, 118) + "\n"
