@@ -35,7 +35,7 @@ bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
         vec4 clip = agaa_lightBuffer.shadows[map].matrices[layer] * vec4(p, 1.0);
         if (clip.w > 0.0 && abs(clip.x) <= clip.w && abs(clip.y) <= clip.w && clip.z >= 0.0 &&
             clip.z <= clip.w) {
-            vec3 ndc = clip.xyz / clip.w;
+            vec3 ndc = agaa_quotient3(clip.xyz, clip.w);
             coordinate = vec4(ndc.xy * 0.5 + 0.5, float(layer),
                               ndc.z - agaa_lightBuffer.shadows[map].bias);
             return true;

@@ -40,11 +40,12 @@ agaa_Barycentrics agaa_barycentrics(rvec3 a, rvec3 b, rvec3 c, rvec2 ndc, rvec2 
     rvec3 w = rvec3(a.z, b.z, c.z);
     // A common factor does not change the weights. Squares of large coordinates would overflow.
     const real size = max(max(max(abs(ra.x), abs(ra.y)), max(abs(rb.x), abs(rb.y))), max(abs(rc.x), abs(rc.y)));
-    const real scale = agaa_guardedReciprocal(size);
-    ra *= scale;
-    rb *= scale;
-    rc *= scale;
-    w *= scale;
+    const real divisionScale = agaa_divisionScale(size);
+    const real scale = agaa_guardedReciprocal(size * divisionScale);
+    ra = ra * divisionScale * scale;
+    rb = rb * divisionScale * scale;
+    rc = rc * divisionScale * scale;
+    w = w * divisionScale * scale;
     const rvec3 edge = rvec3(agaa_cross2(rb, rc), agaa_cross2(rc, ra), agaa_cross2(ra, rb));
     const real sum = edge.x + edge.y + edge.z;
     if (!agaa_isFinite(sum) || abs(sum) <= real(1e-30))

@@ -52,6 +52,7 @@ rvec3 agaa_quotient3(rvec3 v, real y) {
 }
 
 // Returns 1/x with the magnitude of x at least 1e-25, so that the result is finite if x is 0 or denormal.
+// Above 2^126 it is denormal, which GPUs make 0.
 real agaa_guardedReciprocal(real x) {
     const real magnitude = max(abs(x), real(1e-25));
     return x < real(0.0) ? real(-1.0) / magnitude : real(1.0) / magnitude;

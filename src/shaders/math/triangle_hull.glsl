@@ -47,8 +47,8 @@ agaa_ClippedTriangle agaa_clippedToNear(rvec4 a, rvec4 b, rvec4 c, rvec2 nearPla
         const real after = nearPlane.x * to.z + nearPlane.y * to.w;
         if ((before >= real(0.0)) != (after >= real(0.0)))
             // From the vertex in front, because the other one may be so far away that its rounding moves the point.
-            agaa_addClipped(clipped, before >= real(0.0) ? from + (to - from) * (before / (before - after))
-                                                         : to + (from - to) * (after / (after - before)),
+            agaa_addClipped(clipped, before >= real(0.0) ? from + (to - from) * agaa_quotient(before, before - after)
+                                                         : to + (from - to) * agaa_quotient(after, after - before),
                             pixelsPerNdc);
         if (after >= real(0.0))
             agaa_addClipped(clipped, to, pixelsPerNdc);
