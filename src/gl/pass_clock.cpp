@@ -26,7 +26,6 @@ PassClock::PassClock(const Context& context, std::span<const Step> steps, size_t
 PassClock::~PassClock() { context_.gl.DeleteQueries(GLsizei(queries_.size()), queries_.data()); }
 
 void PassClock::begin(uint32_t slot, size_t step) {
-    hasTime_[index(slot, step)] = false; // until it ends: a callback may fail
     if (!queries_.empty()) {
         context_.gl.QueryCounter(queries_[2 * index(slot, step)], GL_TIMESTAMP);
         return;
@@ -57,12 +56,10 @@ double PassClock::millisecondsOf(size_t index) const {
 
 std::vector<double> PassClock::milliseconds(uint32_t slot) const {
     const NoQueryBuffer none(context_.gl);
-    std::vector<double> times(passCount_, -1); // no time, isPassTime()
+    std::vector<double> times(passCount_);
     for (size_t step = 0; step < steps_.size(); ++step)
-        if (hasTime_[index(slot, step)]) {
-            double& time = times[steps_[step].pass];
-            time = std::max(time, 0.0) + millisecondsOf(index(slot, step));
-        }
+        if (hasTime_[index(slot, step)])
+            addStepTime(times[steps_[step].pass], millisecondsOf(index(slot, step)));
     return times;
 }
 

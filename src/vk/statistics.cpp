@@ -32,8 +32,9 @@ std::vector<double> View::readPassTimes(uint32_t slot) const {
     check(result, "vkGetQueryPoolResults");
     times.resize(passes.size());
     for (size_t i = 0; i < steps.size(); ++i)
-        times[steps[i].pass] += double(elapsedTicks(stamps[2 * i], stamps[2 * i + 1], context.timestampBits)) *
-                                double(context.timestampPeriod) * 1e-6;
+        addStepTime(times[steps[i].pass],
+                    double(elapsedTicks(stamps[2 * i], stamps[2 * i + 1], context.timestampBits)) *
+                        double(context.timestampPeriod) * 1e-6);
     return times;
 }
 

@@ -135,7 +135,27 @@ TYPED_TEST_P(BatchCases, LossIsLoggedOnce) {
     }
 }
 
+// Tiles are divided once, before the first of many draws. Each draw takes much longer than all tests whether tiles are
+// left to divide.
+TYPED_TEST_P(BatchCases, TimesOfPassesLeaveOutThePassesBetween) {
+    ViewSettings settings = listedViews(258, 258)[0].settings;
+    settings.config.flags |= AGAA_CONFIG_TIMESTAMPS;
+    const auto statistics = showBy<TypeParam>(this->context, settings, {.triangles = layersOver(258, 258, 5)},
+                                              [](auto& view) { return view.statistics(); });
+    EXPECT_GT(statistics.counters.batches, 2u);
+    const auto timeOf = [&](const std::string& name) {
+        for (uint32_t i = 0; i < statistics.passCount; ++i)
+            if (statistics.passes[i].name == name) {
+                EXPECT_EQ(statistics.passes[i].isTimed, 1u) << name;
+                return statistics.passes[i].milliseconds;
+            }
+        ADD_FAILURE() << "no pass " << name;
+        return 0.0;
+    };
+    EXPECT_LT(timeOf("divide tiles"), 0.5 * timeOf("fragments"));
+}
+
 REGISTER_TYPED_TEST_SUITE_P(BatchCases, DefaultsLoseNothingInAnyTier, TooFewDrawsKeepTheNearest,
-                            ATileWithoutRoomKeepsTheNearest, LossIsLoggedOnce);
+                            ATileWithoutRoomKeepsTheNearest, LossIsLoggedOnce, TimesOfPassesLeaveOutThePassesBetween);
 
 } // namespace agaa::test
