@@ -30,7 +30,7 @@ inline void expectSameFrame(const Kept& got, const Kept& expected, const AgaaDev
         } else {
             expectSame(got.pixels[p], expected.pixels[p], p, true);
         }
-    expectSameImage(got.rgb, expected.rgb, caps, 2e-4f); // positions follow the slopes
+    expectSameImage(got.rgb, expected.rgb, caps, 1e-4f); // positions follow the slopes
     const AgaaCounters &a = expected.counters, &b = got.counters;
     EXPECT_EQ(b.fragments, a.fragments);
     EXPECT_EQ(b.mergedFirst, a.mergedFirst);
