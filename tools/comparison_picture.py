@@ -152,18 +152,19 @@ def table(sweep, passes):
                     == (technique, samples, aggregates, 1, preset) and tier_of(row) == tier)
         return next(filter(is_wanted, scene["rows"]))
 
+    gpu = next(row for row in passes["rows"] if (row["scene"], row["backend"]) == (PASSES_SCENE, "vk"))
+
     def timed(technique, samples, aggregates, tier, preset):
         """Milliseconds of all passes on Vulkan, or "–" where they were not measured."""
         for row in passes["rows"]:
-            # A preset has the number of aggregates.
-            if ((row["technique"], row["samples"], row["scene"], row["backend"], row.get("way", ""))
-                    == (technique, samples, PASSES_SCENE, "vk", "")
+            # Rows of presets have 0 aggregates: the preset sets the number.
+            if ((row["technique"], row["samples"], row["scene"], row["size"], row["backend"], row.get("way", ""))
+                    == (technique, samples, PASSES_SCENE, gpu["size"], "vk", "")
                     and row["aggregates"] == (0 if preset else aggregates)
                     and (tier_of(row), row.get("preset", "")) == (tier, preset)):
                 return f"{sum(one['ms']['median'] for one in row['passes'] if one['ms']):.2f}"
         return "–"
 
-    gpu = next(row for row in passes["rows"] if (row["scene"], row["backend"]) == (PASSES_SCENE, "vk"))
     lines = [["8 samples per pixel", "error", "bytes per pixel", "shading events per covered pixel",
               "frame, CPU, ms", "passes, GPU, ms"],
              ["---"] * 6]
