@@ -2,6 +2,7 @@
 import dataclasses
 import json
 import os
+import re
 import subprocess
 from typing import Callable
 
@@ -63,6 +64,11 @@ def suites_of(listing):
     return found
 
 
+def without_root(text):
+    """The text with paths of source files that begin in the source tree, wherever it was built."""
+    return re.sub(r"(?<!\S)/\S*?/(?=(?:tests|src)/)", "", text)
+
+
 def run_suite(machine, program, suite, shard=0, shards=1):
     report = machine.folder / f"{program}-{suite.replace('/', '_')}-{shard}.json"
     report.unlink(missing_ok=True)
@@ -74,7 +80,7 @@ def run_suite(machine, program, suite, shard=0, shards=1):
     tests = [test for group in json.loads(report.read_text())["testsuites"] for test in group["testsuite"]]
     return {"program": program, "suite": suite, "tests": len(tests),
             "skipped": [test["name"] for test in tests if test["result"] == "SKIPPED"],
-            "failed": [{"name": test["name"], "text": test["failures"][0]["failure"][:400]}
+            "failed": [{"name": test["name"], "text": without_root(test["failures"][0]["failure"])[:400]}
                        for test in tests if "failures" in test]}
 
 

@@ -98,6 +98,9 @@ class Parts(unittest.TestCase):
         listing = "Running main() from gtest.cc\nOne.\n  Test  # GetParam() = 1\nAll/Two/0.  # TypeParam = X\n  Test\n"
         self.assertEqual(gpu_pieces.suites_of(listing), {"One": 1, "All/Two/0": 1})
 
+    def test_failures_name_files_of_the_source_tree(self):
+        self.assertEqual(gpu_pieces.without_root("/a/b/tests/c.cpp:1\nx /2/tests"), "tests/c.cpp:1\nx /2/tests")
+
     def test_devices_of_both_apis_have_one_folder(self):
         self.assertEqual(gpu_run.slug("NVIDIA H200/PCIe/SSE2"), gpu_run.slug("NVIDIA H200"))
 

@@ -126,7 +126,7 @@ protected:
     }
 
     // A GPU's compiler may contract the arithmetic of one variant and not of another: on an NVIDIA H100, 2 pixels of
-    // one row differ in the last bits.
+    // one row differ, by less than 2e-5.
     void expectSameShown(const Shown& one, const Shown& other, const LaneRow& row, AgaaLanes lanes) {
         SCOPED_TRACE(testing::Message() << row << " with lanes " << lanes);
         expectSameImage(other.rgb, one.rgb, context.caps());
