@@ -167,8 +167,9 @@ def merge(out, documents):
     folder = documents / slug((timed + errors)[0]["device"])
     folder.mkdir(parents=True, exist_ok=True)
     if timed:
-        data = {"note": "Medians of the frames of a run on this device alone.", "rows": timed}
-        write_results(folder, "passes", data, passes.document(data).replace("passes.py", "gpu_run.py"))
+        data = {"command": "benchmark/gpu_run.py", "note": "Medians of the frames of a run on this device alone.",
+                "rows": timed}
+        write_results(folder, "passes", data, passes.document(data))
     if errors:
         write_results(folder, "errors", {"rows": errors}, error_page(errors))
     if tests:

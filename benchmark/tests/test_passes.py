@@ -30,8 +30,9 @@ class Page(unittest.TestCase):
         self.assertIn("| 12.0 | – |", passes.pass_table([row("dcaa", 64, {"fragments": 12}, aggregates=4, tier="lists")])[2])
 
     def test_each_scene_and_backend_has_a_table(self):
-        page = passes.document({"note": "A note.", "rows": [row("ssaa", 8, {"a": 1}), row("ssaa", 8, {"a": 2}, "gl"),
-                                                            row("ssaa", 8, {"a": 2}, scene="city")]})
+        page = passes.document({"command": "benchmark/passes.py", "note": "A note.",
+                                "rows": [row("ssaa", 8, {"a": 1}), row("ssaa", 8, {"a": 2}, "gl"),
+                                         row("ssaa", 8, {"a": 2}, scene="city")]})
         self.assertIn("`benchmark/passes.py`. A note.", page)
         self.assertEqual([line for line in page.splitlines() if line.startswith("## ")],
                          ["## metal, 8x8, vk: d (e)", "## metal, 8x8, gl: d (e)", "## city, 8x8, vk: d (e)"])
