@@ -48,10 +48,8 @@ void stripes(RenderSettings& settings) {
 
 void manyFragments(RenderSettings& settings) { settings.config.coverage.fragmentsPerPixel = 128; }
 
-// The lists of the tier FRAGMENTS exceed a storage buffer of 128 MiB at this size.
 bool isLargest(const HardConfiguration& configuration) {
-    return configuration.technique == "agaa" && configuration.samples == 32 && configuration.aggregates == 4 &&
-           configuration.generationTier != AGAA_TIER_FRAGMENTS;
+    return configuration.technique == "agaa" && configuration.samples == 32 && configuration.aggregates == 4;
 }
 
 Finding likeWhole(const Rendered& frame) {
