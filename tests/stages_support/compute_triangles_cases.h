@@ -173,6 +173,30 @@ TYPED_TEST_P(ComputeTrianglesCases, BadCorners) {
     EXPECT_EQ(nonFinite(this->render(settings, shot).rgb), 0u);
 }
 
+// The report of a frame has what its masks demand once, however often the triangles are expanded.
+TYPED_TEST_P(ComputeTrianglesCases, FactsOfMasksAreThoseOfGeometryShaders) {
+    Shot shot{.triangles = layersOver(258, 258, 3)};
+    for (Triangle& t : shot.triangles) {
+        t.isMasked = true;
+        t.material.diffuse.w = 0.6f;
+    }
+    ViewSettings settings = listedViews(258, 258)[1].settings;
+    settings.facts.flags |= AGAA_FACT_ALPHA_MASKED;
+    settings.config.flags |= AGAA_CONFIG_CHECK_FACTS;
+    for (const float fragmentsPerPixel : {8.0f, 1.0f}) {
+        SCOPED_TRACE(fragmentsPerPixel);
+        settings.config.coverage.fragmentsPerPixel = fragmentsPerPixel;
+        const Shown expected = this->render(settings, shot);
+        const Shown got = this->render(computed(settings), shot);
+        EXPECT_EQ(got.counters.batches > 1, fragmentsPerPixel == 1);
+        EXPECT_EQ(got.facts.alphaMasked, 3u * 258 * 258);
+        EXPECT_EQ(got.facts.translucent, got.facts.alphaMasked);
+        EXPECT_EQ(got.facts.cutouts, 0u);
+        EXPECT_EQ(expected.facts.alphaMasked, got.facts.alphaMasked);
+        EXPECT_EQ(expected.facts.translucent, got.facts.translucent);
+    }
+}
+
 // Views need neither geometry shaders nor a draw callback.
 TYPED_TEST_P(ComputeTrianglesCases, ViewsNeedNoDraw) {
     const ViewSettings settings = exactSettings(64);
@@ -186,6 +210,7 @@ TYPED_TEST_P(ComputeTrianglesCases, ViewsNeedNoDraw) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ComputeTrianglesCases, ImagesAreThoseOfGeometryShaders, LargeTrianglesAndInstances, Batches,
-                            SamplesOfTheHost, CulledFacing, CountsBeyondTheLimits, BadCorners, ViewsNeedNoDraw);
+                            SamplesOfTheHost, CulledFacing, CountsBeyondTheLimits, BadCorners,
+                            FactsOfMasksAreThoseOfGeometryShaders, ViewsNeedNoDraw);
 
 } // namespace agaa::test
