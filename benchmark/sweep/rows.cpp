@@ -29,7 +29,6 @@ static void applyCoverage(const std::string& preset, TechniqueConfig& config) {
         config.coverage.fragmentsPerPixel = fragmentsOfDensestScene;
         return;
     }
-    config.coverage.maxBatches = 8;
     if (preset == "paper")
         config.coverage.merge = AGAA_MERGE_PAPER;
     if (preset == "lean")
