@@ -48,12 +48,11 @@ rvec3 agaa_representableColor(rvec3 color) {
 rvec3 agaa_sanitiseEmission(rvec3 v, real range, INOUT(uint) bad) {
     const rvec3 e = agaa_sanitise3(v, real(0.0), real(3.402823e38), bad);
     const real largest = max(e.x, max(e.y, e.z));
-    rvec3 result = e;
-    if (largest > range) {
-        const rvec3 hue = agaa_quotient3(e, largest);
-        result = rvec3(hue.x * range, hue.y * range, hue.z * range);
-    }
-    return result;
+    // Without a branch: Mesa 22.3's lavapipe compiles a shader anew for each value of a uniform in its branches.
+    const rvec3 hue = agaa_quotient3(e, max(largest, range));
+    const rvec3 scaled = rvec3(hue.x * range, hue.y * range, hue.z * range);
+    const bool isScaled = largest > range;
+    return rvec3(isScaled ? scaled.x : e.x, isScaled ? scaled.y : e.y, isScaled ? scaled.z : e.z);
 }
 
 #endif
