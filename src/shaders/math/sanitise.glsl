@@ -48,7 +48,7 @@ rvec3 agaa_representableColor(rvec3 color) {
 rvec3 agaa_sanitiseEmission(rvec3 v, real range, INOUT(uint) bad) {
     const rvec3 e = agaa_sanitise3(v, real(0.0), real(3.402823e38), bad);
     const real largest = max(e.x, max(e.y, e.z));
-    // Without a branch: Mesa 22.3's lavapipe compiles a shader anew for each value of a uniform in its branches.
+    // There is no branch, because lavapipe of Mesa 22.3 compiles a shader anew for each uniform value in its branches.
     const rvec3 hue = agaa_quotient3(e, max(largest, range));
     const rvec3 scaled = rvec3(hue.x * range, hue.y * range, hue.z * range);
     const bool isScaled = largest > range;
