@@ -19,10 +19,17 @@ from command_line import write_document
 from markdown_table import escaped, fixed, paragraph
 from sweep_rows import builds, error, find, frame, name, ratio, rows_of
 
+DOCUMENTS = Path(__file__).resolve().parents[2] / "docs"
+
 QUALITIES = [4, 10, 30]  # times less error than single has
 BUDGETS = [2, 3, 4]      # times single's frame
 MEMORY = [65, 130, 260]  # bytes per pixel: 8 a sample, and a little for lists of tiles
 LOSS_SAMPLES = (4, 8, 16, 32)
+
+
+def gpu_pages():
+    """The pages of benchmark/gpu_run.py."""
+    return sorted((DOCUMENTS / "results").glob("*/passes.md"))
 
 
 def fastest(rows):
@@ -118,6 +125,9 @@ def document(sweeps):
              "A gap of less than ten times the reference's own error counts as none; then the faster row is named. "
              "Times, and what is chosen by them, are of the device named in a heading: `benchmark/full_sweep.py` measures "
              "yours. “Dense” are " + ", ".join(escaped(each) for each in DENSE) + ".", ""]
+    if pages := gpu_pages():
+        lines += ["What the passes of each technique cost on GPUs: " +
+                  ", ".join(f"[{page.parent.name}]({page.relative_to(DOCUMENTS)})" for page in pages) + ".", ""]
     for results, backend in ((results, backend) for results in sweeps for backend in results["backends"]):
         measured = [s for s in backend["scenes"] if not s.get("plain")]
         scenes = [s for s in measured if find(s, "single", 1)]
