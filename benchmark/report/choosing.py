@@ -126,8 +126,8 @@ def document(sweeps):
              "Times, and what is chosen by them, are of the device named in a heading: `benchmark/full_sweep.py` measures "
              "yours. “Dense” are " + ", ".join(escaped(each) for each in DENSE) + ".", ""]
     if pages := gpu_pages():
-        lines += ["What the passes of each technique cost on GPUs: " +
-                  ", ".join(f"[{page.parent.name}]({page.relative_to(DOCUMENTS)})" for page in pages) + ".", ""]
+        lines += ["The repository has what the passes of each technique cost on GPUs: " +
+                  ", ".join(f"`docs/{page.relative_to(DOCUMENTS)}`" for page in pages) + ".", ""]
     for results, backend in ((results, backend) for results in sweeps for backend in results["backends"]):
         measured = [s for s in backend["scenes"] if not s.get("plain")]
         scenes = [s for s in measured if find(s, "single", 1)]
