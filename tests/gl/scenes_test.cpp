@@ -124,6 +124,12 @@ TEST_P(GlScenes, OrderOfDrawsIsFreeInOneGeometryPass) {
     expectOrderOfDrawsIsFree(sharedGlRenderer(), settings());
 }
 
+TEST_P(GlScenes, HardCase22_FarFromTheOriginNothingChanges) {
+    if (!isSceneOf(GetParam(), "city", "foliage"))
+        GTEST_SKIP() << "city covers it, Vulkan covers all scenes";
+    expectSameFarFromTheOrigin(sharedGlRenderer(), settings());
+}
+
 TEST_P(GlScenes, VertexPullingShowsWhatGeometryShadersShow) {
     if (GetParam().name != "foliage" && GetParam().name != "city")
         GTEST_SKIP() << "foliage and city cover it";

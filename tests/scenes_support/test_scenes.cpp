@@ -188,6 +188,12 @@ void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings) {
     }
 }
 
+void expectSameFarFromTheOrigin(Renderer& renderer, RenderSettings settings) {
+    const Image near = renderer.render(settings).image;
+    settings.worldOffset = {1e6, 2e5, -1e6};
+    EXPECT_LE(differenceOf(near, renderer.render(settings).image).largest, 1.0 / 255);
+}
+
 void expectExpansionsAgree(Renderer& geometry, Renderer& pulling, RenderSettings settings, size_t share) {
     settings.config.samples = 64;
     settings.config.coverage.fragmentsPerPixel = 64;

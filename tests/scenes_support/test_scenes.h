@@ -62,6 +62,8 @@ void expectImagesRepeat(Renderer& renderer, const RenderSettings& settings, bool
 // Expects equal images for two orders of the draws, for G-buffers and for lists of fragments. The scene must have no
 // equal depths.
 void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings);
+// Expects the image of the world a thousand kilometres from its origin to be that at the origin.
+void expectSameFarFromTheOrigin(Renderer& renderer, RenderSettings settings);
 // Bit by bit, of each tier with coverage samples and in both depth conventions: vertex shaders that expand triangles,
 // beside geometry shaders. pulling: may have no geometry shaders. Both have loaded the scene. share: 0 or 1, of the
 // pairs of a tier and a depth convention those that the test renders.

@@ -85,6 +85,26 @@ std::string rasterisedInOrder(const ViewSettings& settings, std::string text) {
     return text;
 }
 
+const char* const emitText = R"(
+#if STAGE_SHADER == 1
+    uint id = triangle + 1u;
+    s.diffuse = vec3(id & 255u, id >> 8u & 255u, id >> 16u) / 255.0;
+#elif STAGE_SHADER == 2
+    s.diffuse = vec3(AGAA_INSIDE(uv), 0.0);
+#elif STAGE_SHADER == 3
+    s.diffuse = vec3(uv, 0.0);
+#elif STAGE_SHADER == 4
+    gl_FragDepth = triangle % 2u == 0u ? gl_FragCoord.z : 0.999 * gl_FragCoord.z;
+    if ((uint(gl_FragCoord.x) + triangle) % 5u == 0u)
+        discard;
+#elif STAGE_SHADER == 5
+    s.draw = triangle % 3u == 0u ? AGAA_UNFETCHED : s.draw;
+#endif
+    STAGE_SURFACE
+    agaa_emit(s);
+}
+)";
+
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked) {
     const float alpha = isMaterialPass(pass) ? settings.mistake.materialAlpha : 1;
     return std::string("#define AGAA_ALPHA_MASKED ") + (isMasked ? "1\n" : "0\n") + "#define STAGE_SHADER " +

@@ -91,6 +91,9 @@ glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass);
 // The text of a shader without interlock, for devices that rasterise the fragments of a pixel in order. Other text is
 // not changed.
 std::string rasterisedInOrder(const ViewSettings& settings, std::string text);
+// The end of the material shader: GLSL that changes `AgaaSurfaceInput s` as ViewSettings says and emits it. Reads
+// `uint triangle`, a number that begins with 0, and `vec2 uv`, a plain fragment input.
+extern const char* const emitText;
 // Defines for the material shader.
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked);
 

@@ -2,6 +2,7 @@
 #include "batch_cases.h"
 #include "show.h"
 
+#include "accumulation_cases.h"
 #include "adaptive_cases.h"
 #include "carried_cases.h"
 #include "compute_triangles_cases.h"
@@ -9,8 +10,10 @@
 #include "culling_cases.h"
 #include "facts_cases.h"
 #include "dcaa_cases.h"
+#include "definition_cases.h"
 #include "fragments_cases.h"
 #include "debug_view_cases.h"
+#include "hair_cases.h"
 #include "hard_geometry_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
@@ -40,6 +43,9 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, RasterOrderCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ComputeTrianglesCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PullingCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, AccumulationCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DefinitionCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HairCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, MaskCases, OpenGLHost);

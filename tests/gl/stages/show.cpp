@@ -8,7 +8,7 @@ static constexpr GLuint functionBlock = 6; // beyond what frames touch
 static constexpr const char* storageText = R"(
 layout(std430, binding = 6) readonly buffer Vertices { float data[]; } hostVertices;
 vec3 hostPosition(uint vertex) {
-    uint at = 23u * vertex;
+    uint at = 25u * vertex;
     return vec3(hostVertices.data[at], hostVertices.data[at + 1u], hostVertices.data[at + 2u]);
 }
 vec4 hostVector(uint at) {
@@ -16,7 +16,7 @@ vec4 hostVector(uint at) {
                 hostVertices.data[at + 3u]);
 }
 HostMaterial hostMaterial(uint primitive) {
-    uint at = 69u * primitive + 3u;
+    uint at = 75u * primitive + 3u;
     return HostMaterial(hostVector(at), hostVector(at + 4u), hostVector(at + 8u), hostVector(at + 12u),
                         hostVector(at + 16u));
 }

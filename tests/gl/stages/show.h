@@ -61,6 +61,12 @@ struct OpenGLHost {
     static constexpr bool runsAtOnce = true;      // a call that fails has run its first passes
     static constexpr bool endsRepetitions = true; // the CPU reads the word
     static constexpr bool isCalledOnce = false;
+    // Of the place of corners.
+    static uint32_t subPixelBits() {
+        GLint bits = 0;
+        sharedEgl().gl().GetIntegerv(GL_SUBPIXEL_BITS, &bits);
+        return uint32_t(bits);
+    }
     static std::vector<float> rgba(const View& view) { return view.image(); }
     static ShadowMap shadowMap(const Context& context, float depth) {
         return test::shadowMap(context.egl().gl(), depth);

@@ -22,21 +22,24 @@ namespace {
 constexpr const char* vertexText = R"(
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec4 material[5];
+layout(location = 6) in vec2 coordinates;
 uniform mat4 clip;
 layout(location = 0) out vec3 position;
 layout(location = 1) flat out vec4 constants[5];
 layout(location = 6) flat out uvec2 drawn;
+layout(location = 7) out vec2 uv;
 invariant gl_Position;
 void main() {
     position = corner + float(gl_InstanceID) * STAGE_INSTANCE_STEP;
     constants = material;
+    uv = coordinates;
     drawn = uvec2(gl_InstanceID, gl_VertexID / 3);
     precise vec4 place = clip * vec4(position, 1.0); // as pullingText
     gl_Position = place;
 }
 )";
 
-// Of passes with AgaaDrawPass::glslVertex, in place of vertexText: an instance is a triangle, and its vertices are 23
+// Of passes with AgaaDrawPass::glslVertex, in place of vertexText: an instance is a triangle, and its vertices are 25
 // floats each.
 constexpr const char* pullingText = R"(
 layout(std430, binding = 6) readonly buffer Vertices { float words[]; } vertices;
@@ -45,8 +48,9 @@ uniform uint firstTriangle, instance;
 layout(location = 0) out vec3 position;
 layout(location = 1) flat out vec4 constants[5];
 layout(location = 6) flat out uvec2 drawn;
+layout(location = 7) out vec2 uv;
 vec3 placeOf(uint vertex) {
-    uint word = 23u * vertex;
+    uint word = 25u * vertex;
     return vec3(vertices.words[word], vertices.words[word + 1u], vertices.words[word + 2u]) +
            float(instance) * STAGE_INSTANCE_STEP;
 }
@@ -54,7 +58,8 @@ void main() {
     uint triangle = firstTriangle + uint(gl_InstanceID);
     position = placeOf(3u * triangle);
     for (uint i = 0u; i < 20u; ++i)
-        constants[i / 4u][i % 4u] = vertices.words[69u * triangle + 3u + i];
+        constants[i / 4u][i % 4u] = vertices.words[75u * triangle + 3u + i];
+    uv = vec2(vertices.words[75u * triangle + 23u], vertices.words[75u * triangle + 24u]);
     drawn = uvec2(instance, triangle);
     precise vec4 a = clip * vec4(position, 1.0);
     precise vec4 b = clip * vec4(placeOf(3u * triangle + 1u), 1.0);
@@ -70,14 +75,17 @@ layout(triangle_strip, max_vertices = 3) out;
 layout(location = 0) in vec3 positions[];
 layout(location = 1) flat in vec4 materials[][5];
 layout(location = 6) flat in uvec2 draws[];
+layout(location = 7) in vec2 uvs[];
 layout(location = 0) out vec3 position;
 layout(location = 1) flat out vec4 constants[5];
 layout(location = 6) flat out uvec2 drawn;
+layout(location = 7) out vec2 uv;
 void main() {
     for (int i = 0; i < 3; ++i) {
         position = positions[i];
         constants = materials[i];
         drawn = draws[i];
+        uv = uvs[i];
         gl_Position = agaa_place(gl_in[i].gl_Position);
         EmitVertex();
     }
@@ -91,15 +99,18 @@ layout(triangle_strip, max_vertices = AGAA_MAX_STRIP) out;
 layout(location = 0) in vec3 positions[];
 layout(location = 1) flat in vec4 materials[][5];
 layout(location = 6) flat in uvec2 draws[];
+layout(location = 7) in vec2 uvs[];
 layout(location = 0) out vec3 position;
 layout(location = 1) flat out vec4 constants[5];
 layout(location = 6) flat out uvec2 drawn;
+layout(location = 7) out vec2 uv;
 void main() {
     uint count = agaa_beginPrimitive(gl_in[0].gl_Position, gl_in[1].gl_Position, gl_in[2].gl_Position);
     for (uint i = 0u; i < count; ++i) {
         position = positions[0];
         constants = materials[0];
         drawn = draws[0];
+        uv = uvs[0];
         agaa_setVertex(i);
         EmitVertex();
     }
@@ -110,7 +121,9 @@ constexpr const char* fragmentText = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) flat in vec4 constants[5];
 layout(location = 6) flat in uvec2 drawn;
+layout(location = 7) in vec2 uv;
 void main() {
+    uint triangle = drawn.y;
     vec2 spare = vec2(constants[1].w, constants[2].w);
     AgaaSurfaceInput s = agaa_surfaceInput();
     s.position = position;
@@ -123,18 +136,13 @@ void main() {
     s.geometricNormal = constants[4].xyz;
     s.primitiveSeed = uint(constants[4].w);
     s.draw = STAGE_DRAW + drawn.x;
-    s.primitive = drawn.y;
-#if STAGE_SHADER == 5
-    s.draw = drawn.y % 3u == 0u ? AGAA_UNFETCHED : s.draw;
-#endif
-    STAGE_SURFACE
-    agaa_emit(s);
-}
+    s.primitive = triangle;
 )";
 
 struct Vertex {
     glm::vec3 position;
     Material material;
+    glm::vec2 uv;
 };
 
 void require(AgaaResult result, const StageContext& context, const char* call) {
@@ -215,12 +223,15 @@ StageView::StageView(StageContext& context, const ViewSettings& settings)
         programs_.emplace(pass.pipelineKey, PassPrograms{passProgram(pass, false), passProgram(pass, true)});
     const GLuint array = vertexArray_.get();
     gl_.VertexArrayVertexBuffer(array, 0, vertices_.get(), 0, sizeof(Vertex));
-    for (GLuint i = 0; i < 6; ++i) {
-        const size_t offset = i == 0 ? 0 : offsetof(Vertex, material) + (i - 1) * sizeof(glm::vec4);
-        gl_.EnableVertexArrayAttrib(array, i);
-        gl_.VertexArrayAttribFormat(array, i, i == 0 ? 3 : 4, GL_FLOAT, GL_FALSE, GLuint(offset));
-        gl_.VertexArrayAttribBinding(array, i, 0);
-    }
+    const auto addAttribute = [&](GLuint location, GLint count, size_t offset) {
+        gl_.EnableVertexArrayAttrib(array, location);
+        gl_.VertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, GLuint(offset));
+        gl_.VertexArrayAttribBinding(array, location, 0);
+    };
+    addAttribute(0, 3, offsetof(Vertex, position));
+    for (GLuint i = 0; i < 5; ++i)
+        addAttribute(1 + i, 4, offsetof(Vertex, material) + i * sizeof(glm::vec4));
+    addAttribute(6, 2, offsetof(Vertex, uv));
 }
 
 StageView::~StageView() {
@@ -235,8 +246,8 @@ StageView::PassProgram StageView::passProgram(const AgaaDrawPass& pass, bool isM
         pass.glslVertex
             ? rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslVertex + pullingText)
             : version + defines + vertexText;
-    made.fragment =
-        rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText);
+    made.fragment = rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslDeclarations +
+                                                     fragmentText + emitText);
     if (pass.glslGeometry)
         made.geometry =
             rasterisedInOrder(settings_, version + pass.glslExtensions + pass.glslGeometry +
@@ -248,8 +259,8 @@ StageView::PassProgram StageView::passProgram(const AgaaDrawPass& pass, bool isM
 void StageView::setTriangles(const std::vector<Triangle>& triangles) {
     std::vector<Vertex> vertices;
     for (size_t i = 0; i < triangles.size(); ++i)
-        for (const glm::vec3& position : triangles[i].position) {
-            vertices.push_back({position, triangles[i].material});
+        for (size_t corner = 0; corner < 3; ++corner) {
+            vertices.push_back({triangles[i].position[corner], triangles[i].material, triangles[i].uv[corner]});
             vertices.back().material.geometricNormal.w = float(triangles[i].seed ? triangles[i].seed : uint32_t(i));
         }
     gl_.NamedBufferData(vertices_.get(), GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STATIC_DRAW);

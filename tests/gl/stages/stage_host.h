@@ -79,9 +79,11 @@ public:
     std::vector<glm::uvec4> readSurface(const std::string& name) const;
     // The words of a buffer, or of an image of whole numbers with several layers: pixel by pixel, layer by layer.
     std::vector<uint32_t> readBuffer(const std::string& name) const;
+    // Index of sample i of a pixel in what readSurface returns.
+    size_t sampleIndex(uint32_t x, uint32_t y, uint32_t i) const { return test::sampleIndex(plan(), x, y, i); }
     const ViewSettings& settings() const { return settings_; }
     const harness::gl::Texture& output() const { return output_; }
-    // 23 floats a vertex: its position, the vectors of its Material.
+    // 25 floats a vertex: its position, the vectors of its Material, its texture coordinates.
     GLuint vertices() const { return vertices_.get(); }
 
     std::map<uint32_t, AgaaResult> drawResults; // of the callback, by pass; each call counts

@@ -303,8 +303,8 @@ TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
     ViewSettings like = settings;
     if (std::string(GetParam()) == "single")
         like.config.samples = 1;
-    const Truth a = visibleTriangles(context, like, scene);
-    const Truth b = visibleTriangles(context, like, shuffled);
+    const Truth a = visibleTriangles<VulkanHost>(context, like, scene);
+    const Truth b = visibleTriangles<VulkanHost>(context, like, shuffled);
     size_t ties = 0, different = 0;
     for (size_t pixel = 0; pixel < first.size() / 3; ++pixel) {
         bool tie = false;

@@ -2,6 +2,7 @@
 #include "batch_cases.h"
 #include "show.h"
 
+#include "accumulation_cases.h"
 #include "adaptive_cases.h"
 #include "carried_cases.h"
 #include "compute_triangles_cases.h"
@@ -9,8 +10,10 @@
 #include "culling_cases.h"
 #include "facts_cases.h"
 #include "dcaa_cases.h"
+#include "definition_cases.h"
 #include "fragments_cases.h"
 #include "debug_view_cases.h"
+#include "hair_cases.h"
 #include "hard_geometry_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
@@ -42,6 +45,9 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, RasterOrderCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ComputeTrianglesCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PullingCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, AccumulationCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DefinitionCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HairCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, MaskCases, VulkanHost);

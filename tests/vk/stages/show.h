@@ -42,6 +42,8 @@ struct VulkanHost {
         EXPECT_EQ(agaaVkGetContextCaps(context.get(), &caps), AGAA_OK);
         return caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
     }
+    // Of the place of corners.
+    static uint32_t subPixelBits() { return sharedDevice().limits().subPixelPrecisionBits; }
     static std::vector<float> rgba(const View& view) { return withAlpha(view.image().rgb); }
     static ShadowMap shadowMap(const Context&, float depth) { return ShadowMap({depth}, 4); }
     static void setShadowMap(Frame& frame, const ShadowMap& map) { frame.shadowViews[0] = map.view(); }

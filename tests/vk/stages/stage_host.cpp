@@ -134,23 +134,6 @@ void main() {
     s.emissive = m.emissive.xyz;
     s.normal = m.normal.xyz;
     s.alpha2 = m.normal.w;
-#if STAGE_SHADER == 1
-    uint id = triangle + 1u;
-    s.diffuse = vec3(id & 255u, id >> 8u & 255u, id >> 16u) / 255.0;
-#elif STAGE_SHADER == 2
-    s.diffuse = vec3(AGAA_INSIDE(uv), 0.0);
-#elif STAGE_SHADER == 3
-    s.diffuse = vec3(uv, 0.0);
-#elif STAGE_SHADER == 4
-    gl_FragDepth = triangle % 2u == 0u ? gl_FragCoord.z : 0.999 * gl_FragCoord.z;
-    if ((uint(gl_FragCoord.x) + triangle) % 5u == 0u)
-        discard;
-#elif STAGE_SHADER == 5
-    s.draw = triangle % 3u == 0u ? AGAA_UNFETCHED : s.draw;
-#endif
-    STAGE_SURFACE
-    agaa_emit(s);
-}
 )";
 
 void AGAA_CALL onLog(void* user, uint32_t severity, AgaaResult code, const char* message) {
@@ -317,8 +300,8 @@ VkPipeline StageView::pipelineOf(PassPipelines& made, bool isMasked) {
         made.geometry =
             shader(ShaderStage::Geometry,
                    inOrder(made.geometryText + (pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)));
-    const ShaderModule fragment = shader(
-        ShaderStage::Fragment, inOrder(shaderDefines(settings_, pass, isMasked) + made.declarations + fragmentText));
+    const ShaderModule fragment = shader(ShaderStage::Fragment, inOrder(shaderDefines(settings_, pass, isMasked) +
+                                                                        made.declarations + fragmentText + emitText));
     PipelineState state(made.pass, isMasked);
     state.vertexLocations = 0;
     state.geometry = made.geometry.get();

@@ -1,18 +1,23 @@
 // Attributes of primitives thinner than a pixel.
-#include "stage_host.h"
+#pragma once
+
+#include "agreement.h"
+#include "shown.h"
+#include "surfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 
 namespace agaa::test {
-namespace {
 
-constexpr uint32_t width = 64, height = 16;
+namespace hair {
+
+inline constexpr uint32_t width = 64, height = 16;
 
 // Upright hairs an eighth of a pixel wide, each at another place between the pixel's samples, with
 // texture coordinates from 1/4 to 3/4 across.
-std::vector<Triangle> hairs() {
+inline std::vector<Triangle> hairs() {
     std::vector<Triangle> list;
     for (uint32_t i = 0; i < width; ++i) {
         const float x = float(i) + float(i) / float(width) * 0.875f;
@@ -26,7 +31,7 @@ std::vector<Triangle> hairs() {
 }
 
 // Samples in a row of pixels that hairs cover, each wider by `more` on both sides.
-uint64_t samplesInHairs(const StageView& view, float more) {
+template <class View> uint64_t samplesInHairs(const View& view, float more) {
     uint64_t count = 0;
     for (uint32_t i = 0; i < width; ++i)
         for (uint32_t s = 0; s < view.plan().view.samples; ++s) {
@@ -42,8 +47,7 @@ struct Found {
 };
 
 // Texture coordinates of all samples that hairs cover.
-Found acrossHairs(uint32_t n, ViewSettings::Shader shader) {
-    StageContext context;
+template <class Host> Found acrossHairs(typename Host::Context& context, uint32_t n, ViewSettings::Shader shader) {
     ViewSettings settings;
     settings.width = width;
     settings.height = height;
@@ -53,7 +57,7 @@ Found acrossHairs(uint32_t n, ViewSettings::Shader shader) {
     settings.config.samples = n;
     settings.config.flags = AGAA_CONFIG_READBACK;
     settings.facts.shadowMapCount = 0;
-    StageView view(context, settings);
+    typename Host::View view(context, settings);
     view.setTriangles(hairs());
     view.render(view.frame());
     const GBufferPacking packing = packGBuffer(view.plan().view.layout);
@@ -73,42 +77,51 @@ Found acrossHairs(uint32_t n, ViewSettings::Shader shader) {
     return found;
 }
 
+} // namespace hair
+
+template <class Host> class HairCases : public testing::Test {
+protected:
+    typename Host::Context context;
+};
+
+TYPED_TEST_SUITE_P(HairCases);
+
 // A value at the pixel's centre is up to four hairs' widths away and is clamped at 0 or 1.
-TEST(Hair, HardCase59AttributesComeFromInside) {
+TYPED_TEST_P(HairCases, HardCase59AttributesComeFromInside) {
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
-        const Found inside = acrossHairs(n, ViewSettings::Shader::UvInside);
-        EXPECT_GT(inside.values, size_t(height) * n) << "hairs must cover samples";
+        const hair::Found inside = hair::acrossHairs<TypeParam>(this->context, n, ViewSettings::Shader::UvInside);
+        EXPECT_GT(inside.values, size_t(hair::height) * n) << "hairs must cover samples";
         EXPECT_GE(inside.lowest, 0.25f - 1.0f / 255) << "n=" << n;
         EXPECT_LE(inside.highest, 0.75f + 1.0f / 255) << "n=" << n;
-        const Found centre = acrossHairs(n, ViewSettings::Shader::UvAtCentre);
+        const hair::Found centre = hair::acrossHairs<TypeParam>(this->context, n, ViewSettings::Shader::UvAtCentre);
         EXPECT_EQ(centre.lowest, 0.0f) << "the test must be able to fail";
         EXPECT_EQ(centre.highest, 1.0f) << "the test must be able to fail";
     }
 }
 
 // Every sample that a hair covers is found in every pass.
-TEST(Hair, HardCase26CoverageIsThatOfThePrepass) {
-    StageContext context;
+TYPED_TEST_P(HairCases, HardCase26CoverageIsThatOfThePrepass) {
     for (uint32_t n : {1u, 2u, 4u, 8u, 16u, 32u}) {
         ViewSettings settings;
-        settings.width = width;
-        settings.height = height;
-        settings.projection = pixelOrthographic(width, height, 10);
+        settings.width = hair::width;
+        settings.height = hair::height;
+        settings.projection = pixelOrthographic(hair::width, hair::height, 10);
         settings.config.samples = n;
         settings.config.flags = AGAA_CONFIG_COUNTERS;
         settings.facts.shadowMapCount = 0;
-        StageView view(context, settings);
-        view.setTriangles(hairs());
+        typename TypeParam::View view(this->context, settings);
+        view.setTriangles(hair::hairs());
         view.render(view.frame());
         const AgaaCounters counters = view.statistics().counters;
         EXPECT_EQ(counters.once, counters.visible);
         EXPECT_EQ(counters.uncovered + counters.overlapping, 0u);
-        const float snap = 1.0f / float(1u << sharedDevice().limits().subPixelPrecisionBits); // of corners
-        EXPECT_GE(counters.visible, height * samplesInHairs(view, -snap)) << "n=" << n;
-        EXPECT_LE(counters.visible, height * samplesInHairs(view, snap)) << "n=" << n;
-        EXPECT_GT(samplesInHairs(view, -snap), 0u) << "n=" << n;
+        const float snap = 1.0f / float(1u << TypeParam::subPixelBits()); // of corners
+        EXPECT_GE(counters.visible, hair::height * hair::samplesInHairs(view, -snap)) << "n=" << n;
+        EXPECT_LE(counters.visible, hair::height * hair::samplesInHairs(view, snap)) << "n=" << n;
+        EXPECT_GT(hair::samplesInHairs(view, -snap), 0u) << "n=" << n;
     }
 }
 
-} // namespace
+REGISTER_TYPED_TEST_SUITE_P(HairCases, HardCase59AttributesComeFromInside, HardCase26CoverageIsThatOfThePrepass);
+
 } // namespace agaa::test

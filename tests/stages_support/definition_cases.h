@@ -1,6 +1,10 @@
 // Definition: the aggregate of every sample against the same clustering in double on the CPU.
+#pragma once
+
 #include "agreement.h"
-#include "stage_host.h"
+#include "setting_share.h"
+#include "shown.h"
+#include "surfaces.h"
 
 #include "core/frame/frame_data.h"
 #include "shader_math.h"
@@ -12,7 +16,9 @@
 #include <memory>
 
 namespace agaa::test {
-namespace {
+
+namespace definition {
+namespace { // as the types of shader_math.h
 
 struct Ids {
     uint32_t covered = 0;
@@ -20,7 +26,7 @@ struct Ids {
 };
 
 // What the GPU defined.
-Ids storedIds(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t n, uint32_t c, uint32_t covered) {
+inline Ids storedIds(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t n, uint32_t c, uint32_t covered) {
     Ids ids{covered, {}};
     const glm::uvec4 texel = metadata[pixel];
     const uint64_t planes = n < 32 ? texel.x : texel.x | uint64_t(texel.y) << 32;
@@ -37,8 +43,8 @@ struct Pixel {
     double width = 0; // of one surface
 };
 
-glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint32_t x, uint32_t y, uint32_t i,
-                        double depth) {
+inline glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint32_t x, uint32_t y, uint32_t i,
+                               double depth) {
     const FrameConstants& c = constants;
     const double z =
         math_d::agaa_viewZFromDepth(depth, double(c.projection22), double(c.projection32), c.isOrthographic);
@@ -48,9 +54,9 @@ glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint3
                                      double(c.projectionOffset[0]), double(c.projectionOffset[1]), c.isOrthographic);
 }
 
-class Oracle {
+template <class View> class Oracle {
 public:
-    Oracle(StageView& view, const AgaaFrame& frame)
+    Oracle(View& view, const AgaaFrame& frame)
         : view_(view), constants_(frameConstants(view.plan(), frame, view.positions())),
           depth_(view.readSurface("depth")), normals_(view.readSurface("normals")) {}
 
@@ -101,13 +107,13 @@ public:
 private:
     static uint32_t channel(uint32_t bits) { return uint32_t(std::lround(std::bit_cast<float>(bits) * 255)); }
 
-    StageView& view_;
+    View& view_;
     FrameConstants constants_;
     std::vector<glm::uvec4> depth_, normals_;
 };
 
 // The same partition, whatever the aggregates are called.
-bool samePartition(const Ids& a, const Ids& b, uint32_t n) {
+inline bool samePartition(const Ids& a, const Ids& b, uint32_t n) {
     for (uint32_t i = 0; i < n; ++i)
         for (uint32_t j = 0; j < i; ++j)
             if ((a.covered >> i & 1) && (a.covered >> j & 1) && (a.id[i] == a.id[j]) != (b.id[i] == b.id[j]))
@@ -122,12 +128,14 @@ struct Agreement {
     size_t different = 0;    // of these, that the GPU parts otherwise
 };
 
-Agreement compareWithOracle(StageContext& context, const ViewSettings& settings, const std::vector<Triangle>& scene) {
+template <class Host>
+Agreement compareWithOracle(typename Host::Context& context, const ViewSettings& settings,
+                            const std::vector<Triangle>& scene) {
     StageView view(context, settings);
     view.setTriangles(scene);
     const AgaaFrame frame = view.frame();
     view.render(frame);
-    const Oracle oracle(view, frame);
+    const Oracle<typename Host::View> oracle(view, frame);
     const auto metadata = view.readSurface("metadata");
     const uint32_t n = view.plan().view.samples, c = view.plan().view.aggregates;
     Agreement found;
@@ -164,16 +172,17 @@ Agreement compareWithOracle(StageContext& context, const ViewSettings& settings,
     return found;
 }
 
-void expectOracle(StageContext& context, const ViewSettings& settings, const std::vector<Triangle>& scene) {
+template <class Host>
+void expectOracle(typename Host::Context& context, const ViewSettings& settings, const std::vector<Triangle>& scene) {
     SCOPED_TRACE("n=" + std::to_string(settings.config.samples) + " c=" + std::to_string(settings.config.aggregates));
-    const Agreement found = compareWithOracle(context, settings, scene);
+    const Agreement found = compareWithOracle<Host>(context, settings, scene);
     EXPECT_EQ(found.ofOneSurface == 0, (settings.config.flags & AGAA_CONFIG_SPLIT_SURFACES) != 0) << found.ofOneSurface;
     EXPECT_GT(found.several, found.pixels / 5);
     // Distances are compared in 14 bits, so that only rounding across such a step can decide otherwise.
     EXPECT_LE(found.different, found.pixels / 200);
 }
 
-ViewSettings settingsFor(uint32_t n, uint32_t c) {
+inline ViewSettings settingsFor(uint32_t n, uint32_t c) {
     ViewSettings settings;
     settings.config.samples = n;
     settings.config.aggregates = c;
@@ -182,108 +191,9 @@ ViewSettings settingsFor(uint32_t n, uint32_t c) {
     return settings;
 }
 
-TEST(Definition, AgreesWithDoubleForEverySampleAndAggregateCount) {
-    StageContext context;
-    const auto scene = randomTriangles({.triangles = 400}, 21);
-    for (uint32_t n : {2u, 4u, 8u, 16u, 32u})
-        for (uint32_t c : {2u, 3u, 4u})
-            expectOracle(context, settingsFor(n, c), scene);
-}
-
-// Distance alone may part the samples of one surface.
-TEST(Definition, AgreesWhereSurfacesMayBeSplit) {
-    StageContext context;
-    ViewSettings settings = settingsFor(8, 2);
-    settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
-    expectOracle(context, settings, randomTriangles({.triangles = 400}, 26));
-}
-
-TEST(Definition, AgreesForSeedsAsPrinted) {
-    StageContext context;
-    ViewSettings settings = settingsFor(8, 4);
-    settings.config.measurement.seeds = AGAA_SEEDS_SUM_OF_SQUARES;
-    expectOracle(context, settings, randomTriangles({.triangles = 400}, 22));
-}
-
-TEST(Definition, AgreesForAFixedLength) {
-    StageContext context;
-    ViewSettings settings = settingsFor(8, 3);
-    settings.config.aggregation.characteristicLength = 0.1f;
-    settings.config.aggregation.characteristicLengthPerDistance = 0;
-    settings.config.aggregation.aggregateThreshold = 0.1f;
-    expectOracle(context, settings, randomTriangles({.triangles = 400}, 23));
-}
-
-TEST(Definition, AgreesForOrthographicViews) {
-    StageContext context;
-    ViewSettings settings = settingsFor(8, 3);
-    settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
-    settings.projection = pixelOrthographic(12, 8, 25);
-    settings.projection[3] = glm::vec4(0, 0, 0, 1);
-    expectOracle(context, settings, randomTriangles({.triangles = 400}, 28));
-}
-
-// The eye of an orthographic view is an arbitrary point: a step between two layers is parted everywhere or nowhere,
-// wherever the eye is.
-TEST(Definition, StepsInOrthographicViewsArePartedAlike) {
-    StageContext context;
-    for (const float eye : {0.0f, 1000.0f})
-        for (const float gap : {2.0f, 5.0f}) { // k is 24, of which k sqrt(t) is 3.4
-            ViewSettings settings = settingsFor(8, 2);
-            settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
-            settings.config.aggregation.characteristicLengthPerDistance = 1;
-            settings.projection = pixelOrthographic(48, 32, 10);
-            settings.projection[3].x += 2 * eye / 48;
-            Material material;
-            std::vector<Triangle> scene = rectangle(0, 0, 48, 32, 9, material);
-            for (int x = 0; x < 48; ++x)
-                for (const Triangle& t : rectangle(float(x), 0, float(x) + 0.5f, 32, 9 - gap, material))
-                    scene.push_back(t);
-            for (Triangle& t : scene)
-                for (glm::vec3& p : t.position)
-                    p.x -= eye;
-            StageView view(context, settings);
-            view.setTriangles(scene);
-            view.render(view.frame());
-            size_t parted = 0;
-            for (const glm::uvec4& texel : view.readSurface("metadata"))
-                parted += texel.x != 0;
-            EXPECT_EQ(parted, gap < 3 ? 0u : 48u * 32u) << eye << ' ' << gap;
-        }
-}
-
-TEST(Definition, AgreesForOtherSurfaces) {
-    StageContext context;
-    ViewSettings settings = settingsFor(8, 3);
-    settings.config.surfaceCosine = 0.5f;
-    settings.config.surfaceDistance = 4;
-    expectOracle(context, settings, randomTriangles({.triangles = 400}, 27));
-}
-
-TEST(Definition, HardCase16AgreesForReversedDepthAndInfiniteFarPlane) {
-    StageContext context;
-    ViewSettings settings = settingsFor(8, 4);
-    settings.flags = AGAA_VIEW_REVERSED_Z;
-    settings.projection = reversedInfinite(60, 1.5f, 0.01f);
-    expectOracle(context, settings, randomTriangles({.triangles = 400}, 24));
-}
-
-TEST(Definition, HardCase55AgreesAtOddSizes) {
-    StageContext context;
-    const auto scene = randomTriangles({.triangles = 400}, 25);
-    for (const auto& [width, height] : {std::pair{1u, 1u}, {7u, 3u}, {31u, 17u}, {97u, 1u}}) {
-        ViewSettings settings = settingsFor(8, 3);
-        settings.width = width;
-        settings.height = height;
-        const Agreement found = compareWithOracle(context, settings, scene);
-        EXPECT_GT(found.several, 0u) << width;
-        EXPECT_LE(found.different, found.pixels / 200) << width;
-    }
-}
-
 // A square of two triangles; `side` is along one of its edges.
-void addSquare(std::vector<Triangle>& scene, const glm::vec3& normal, const glm::vec3& side, const glm::vec3& centre,
-               float size) {
+inline void addSquare(std::vector<Triangle>& scene, const glm::vec3& normal, const glm::vec3& side,
+                      const glm::vec3& centre, float size) {
     const glm::vec3 up = glm::cross(side, normal);
     const glm::vec3 corners[4] = {centre - size * (side + up), centre + size * (side - up), centre + size * (side + up),
                                   centre + size * (up - side)};
@@ -305,7 +215,8 @@ struct Split {
 
 // A plane through (0, 0, -6) with this normal, both in view space, and a parallel one in front of its one half, if
 // the gap is not 0. The camera is turned, so that no axis of the host's is one of the view's.
-Split splitPixels(StageContext& context, uint32_t tier, const glm::vec3& normal, float gap) {
+template <class Host>
+Split splitPixels(typename Host::Context& context, uint32_t tier, const glm::vec3& normal, float gap) {
     ViewSettings settings = settingsFor(8, 2);
     settings.config.generationTier = tier;
     settings.config.flags |= tier == AGAA_TIER_GBUFFER ? AGAA_CONFIG_BUFFERED : 0; // for the metadata
@@ -352,22 +263,131 @@ Split splitPixels(StageContext& context, uint32_t tier, const glm::vec3& normal,
     return split;
 }
 
-const glm::vec3 slopes[] = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, 0.8f, 0.6f}, {-0.64f, 0.48f, 0.6f}};
-constexpr uint32_t definitionTiers[] = {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER};
+inline const glm::vec3 slopes[] = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, 0.8f, 0.6f}, {-0.64f, 0.48f, 0.6f}};
+inline constexpr uint32_t tiers[] = {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER};
 
-TEST(Definition, ASurfaceIsOneAggregateAtAnySlope) {
-    StageContext context;
-    for (const uint32_t tier : definitionTiers)
-        for (const glm::vec3& normal : slopes)
-            EXPECT_EQ(splitPixels(context, tier, normal, 0).several, 0u) << normal.x << ' ' << normal.y;
+} // namespace
+} // namespace definition
+
+template <class Host> class DefinitionCases : public testing::Test {
+protected:
+    void expectOracle(const ViewSettings& settings, const std::vector<Triangle>& scene) {
+        definition::expectOracle<Host>(context, settings, scene);
+    }
+    // Returns whether this graphics API renders the next setting of the test.
+    bool rendersNext() { return rendersSetting<Host>(setting_++); }
+
+    typename Host::Context context;
+
+private:
+    size_t setting_ = 0;
+};
+
+TYPED_TEST_SUITE_P(DefinitionCases);
+
+TYPED_TEST_P(DefinitionCases, AgreesWithDoubleForEverySampleAndAggregateCount) {
+    const auto scene = randomTriangles({.triangles = 400}, 21);
+    for (uint32_t n : {2u, 4u, 8u, 16u, 32u})
+        for (uint32_t c : {2u, 3u, 4u})
+            if (this->rendersNext())
+                this->expectOracle(definition::settingsFor(n, c), scene);
 }
 
-TEST(Definition, ParallelLayersAreTwoAggregates) {
-    StageContext context;
-    for (const uint32_t tier : definitionTiers)
-        for (const glm::vec3& normal : slopes)
+// Distance alone may part the samples of one surface.
+TYPED_TEST_P(DefinitionCases, AgreesWhereSurfacesMayBeSplit) {
+    ViewSettings settings = definition::settingsFor(8, 2);
+    settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
+    this->expectOracle(settings, randomTriangles({.triangles = 400}, 26));
+}
+
+TYPED_TEST_P(DefinitionCases, AgreesForSeedsAsPrinted) {
+    ViewSettings settings = definition::settingsFor(8, 4);
+    settings.config.measurement.seeds = AGAA_SEEDS_SUM_OF_SQUARES;
+    this->expectOracle(settings, randomTriangles({.triangles = 400}, 22));
+}
+
+TYPED_TEST_P(DefinitionCases, AgreesForAFixedLength) {
+    ViewSettings settings = definition::settingsFor(8, 3);
+    settings.config.aggregation.characteristicLength = 0.1f;
+    settings.config.aggregation.characteristicLengthPerDistance = 0;
+    settings.config.aggregation.aggregateThreshold = 0.1f;
+    this->expectOracle(settings, randomTriangles({.triangles = 400}, 23));
+}
+
+TYPED_TEST_P(DefinitionCases, AgreesForOrthographicViews) {
+    ViewSettings settings = definition::settingsFor(8, 3);
+    settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
+    settings.projection = pixelOrthographic(12, 8, 25);
+    settings.projection[3] = glm::vec4(0, 0, 0, 1);
+    this->expectOracle(settings, randomTriangles({.triangles = 400}, 28));
+}
+
+// The eye of an orthographic view is an arbitrary point: a step between two layers is parted everywhere or nowhere,
+// wherever the eye is.
+TYPED_TEST_P(DefinitionCases, StepsInOrthographicViewsArePartedAlike) {
+    for (const float eye : {0.0f, 1000.0f})
+        for (const float gap : {2.0f, 5.0f}) { // k is 24, of which k sqrt(t) is 3.4
+            ViewSettings settings = definition::settingsFor(8, 2);
+            settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
+            settings.config.aggregation.characteristicLengthPerDistance = 1;
+            settings.projection = pixelOrthographic(48, 32, 10);
+            settings.projection[3].x += 2 * eye / 48;
+            Material material;
+            std::vector<Triangle> scene = rectangle(0, 0, 48, 32, 9, material);
+            for (int x = 0; x < 48; ++x)
+                for (const Triangle& t : rectangle(float(x), 0, float(x) + 0.5f, 32, 9 - gap, material))
+                    scene.push_back(t);
+            for (Triangle& t : scene)
+                for (glm::vec3& p : t.position)
+                    p.x -= eye;
+            typename TypeParam::View view(this->context, settings);
+            view.setTriangles(scene);
+            view.render(view.frame());
+            size_t parted = 0;
+            for (const glm::uvec4& texel : view.readSurface("metadata"))
+                parted += texel.x != 0;
+            EXPECT_EQ(parted, gap < 3 ? 0u : 48u * 32u) << eye << ' ' << gap;
+        }
+}
+
+TYPED_TEST_P(DefinitionCases, AgreesForOtherSurfaces) {
+    ViewSettings settings = definition::settingsFor(8, 3);
+    settings.config.surfaceCosine = 0.5f;
+    settings.config.surfaceDistance = 4;
+    this->expectOracle(settings, randomTriangles({.triangles = 400}, 27));
+}
+
+TYPED_TEST_P(DefinitionCases, HardCase16AgreesForReversedDepthAndInfiniteFarPlane) {
+    ViewSettings settings = definition::settingsFor(8, 4);
+    settings.flags = AGAA_VIEW_REVERSED_Z;
+    settings.projection = reversedInfinite(60, 1.5f, 0.01f);
+    this->expectOracle(settings, randomTriangles({.triangles = 400}, 24));
+}
+
+TYPED_TEST_P(DefinitionCases, HardCase55AgreesAtOddSizes) {
+    const auto scene = randomTriangles({.triangles = 400}, 25);
+    for (const auto& [width, height] : {std::pair{1u, 1u}, {7u, 3u}, {31u, 17u}, {97u, 1u}}) {
+        ViewSettings settings = definition::settingsFor(8, 3);
+        settings.width = width;
+        settings.height = height;
+        const definition::Agreement found = definition::compareWithOracle<TypeParam>(this->context, settings, scene);
+        EXPECT_GT(found.several, 0u) << width;
+        EXPECT_LE(found.different, found.pixels / 200) << width;
+    }
+}
+
+TYPED_TEST_P(DefinitionCases, ASurfaceIsOneAggregateAtAnySlope) {
+    for (const uint32_t tier : definition::tiers)
+        for (const glm::vec3& normal : definition::slopes)
+            EXPECT_EQ(definition::splitPixels<TypeParam>(this->context, tier, normal, 0).several, 0u)
+                << normal.x << ' ' << normal.y;
+}
+
+TYPED_TEST_P(DefinitionCases, ParallelLayersAreTwoAggregates) {
+    for (const uint32_t tier : definition::tiers)
+        for (const glm::vec3& normal : definition::slopes)
             for (const float gap : {0.9f, 2.0f}) {
-                const Split split = splitPixels(context, tier, normal, gap);
+                const definition::Split split = definition::splitPixels<TypeParam>(this->context, tier, normal, gap);
                 EXPECT_GT(split.layered, 5u);
                 EXPECT_EQ(split.wrong, 0u) << normal.x << ' ' << normal.y << ' ' << gap << ": " << split.layered
                                            << " with two layers, " << split.several << " split";
@@ -375,10 +395,9 @@ TEST(Definition, ParallelLayersAreTwoAggregates) {
 }
 
 // The depth buffer puts samples of a distant wall steps of many metres apart: it stays one aggregate.
-TEST(Definition, HardCase20AWallStaysOneAggregate) {
-    StageContext context;
+TYPED_TEST_P(DefinitionCases, HardCase20AWallStaysOneAggregate) {
     for (float distance : {10.0f, 100.0f, 1000.0f, 4000.0f}) {
-        ViewSettings settings = settingsFor(8, 4);
+        ViewSettings settings = definition::settingsFor(8, 4);
         settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES; // by their distance, were it not for k
         settings.projection = perspective(5, 1.5f, 0.01f, 10000);
         const float s = distance;
@@ -392,7 +411,7 @@ TEST(Definition, HardCase20AWallStaysOneAggregate) {
             t.material.geometricNormal = glm::vec4(planeNormal(t), 0);
             wall.push_back(t);
         }
-        StageView view(context, settings);
+        typename TypeParam::View view(this->context, settings);
         view.setTriangles(wall);
         view.render(view.frame());
         const auto depth = view.readSurface("depth");
@@ -404,7 +423,7 @@ TEST(Definition, HardCase20AWallStaysOneAggregate) {
                 for (uint32_t i = 1; i < 8; ++i)
                     stepped += depth[view.sampleIndex(x, y, 0)].x != depth[view.sampleIndex(x, y, i)].x;
             }
-        if (isInOrder(context.caps())) { // an NVIDIA H200 has no step there
+        if (isInOrder(this->context.caps())) { // an NVIDIA H200 has no step there
             EXPECT_GT(stepped, 0u) << "the wall must cross steps of the depth buffer";
         }
         EXPECT_EQ(split, 0u) << "at " << distance;
@@ -413,10 +432,9 @@ TEST(Definition, HardCase20AWallStaysOneAggregate) {
 
 // A backdrop at 1 km, whose step of depth is 0.6 m, is seen between thin rails at 5 m and 6 m: the rails are aggregates
 // of their own.
-TEST(Definition, HardCase20AFarBackdropLeavesNearRailsApart) {
-    StageContext context;
-    for (const uint32_t tier : definitionTiers) {
-        ViewSettings settings = settingsFor(8, 3);
+TYPED_TEST_P(DefinitionCases, HardCase20AFarBackdropLeavesNearRailsApart) {
+    for (const uint32_t tier : definition::tiers) {
+        ViewSettings settings = definition::settingsFor(8, 3);
         settings.config.generationTier = tier;
         settings.config.flags |= tier == AGAA_TIER_GBUFFER ? AGAA_CONFIG_BUFFERED : 0;
         settings.width = 16;
@@ -424,7 +442,7 @@ TEST(Definition, HardCase20AFarBackdropLeavesNearRailsApart) {
         settings.projection = perspective(0.4f, 1.5f, 0.1f, 2000);                      // a pixel is 0.7 m wide at 1 km
         const float column = 2 * 1.5f * std::tan(0.5f * 0.4f * 3.14159265f / 180) / 16; // a pixel's width at 1 m
         std::vector<Triangle> scene;
-        addSquare(scene, {0, 0, 1}, {1, 0, 0}, {0, 0, -1000}, 2000);
+        definition::addSquare(scene, {0, 0, 1}, {1, 0, 0}, {0, 0, -1000}, 2000);
         for (int x = 0; x < 16; ++x)
             for (const float distance : {5.0f, 6.0f}) {
                 const float from = (float(x - 8) + (distance < 5.5f ? 0.0f : 0.4f)) * column * distance;
@@ -438,7 +456,7 @@ TEST(Definition, HardCase20AFarBackdropLeavesNearRailsApart) {
                     scene.push_back(t);
                 }
             }
-        StageView view(context, settings);
+        typename TypeParam::View view(this->context, settings);
         view.setTriangles(scene);
         const AgaaFrame frame = view.frame();
         view.render(frame);
@@ -448,11 +466,11 @@ TEST(Definition, HardCase20AFarBackdropLeavesNearRailsApart) {
         size_t wrong = 0;
         for (uint32_t y = 0; y < settings.height; ++y)
             for (uint32_t x = 0; x < settings.width; ++x) {
-                const Ids ids = storedIds(metadata, size_t(y) * settings.width + x, 8, 3, 0xFF);
+                const definition::Ids ids = definition::storedIds(metadata, size_t(y) * settings.width + x, 8, 3, 0xFF);
                 std::array<double, 8> z{};
                 for (uint32_t i = 0; i < 8; ++i) {
                     const double d = double(std::bit_cast<float>(depth[view.sampleIndex(x, y, i)].x));
-                    z[i] = std::max(viewPosition(view.plan(), constants, x, y, i, d).z, -100.0);
+                    z[i] = std::max(definition::viewPosition(view.plan(), constants, x, y, i, d).z, -100.0);
                 }
                 for (uint32_t i = 0; i < 8; ++i)
                     for (uint32_t j = 0; j < i; ++j)
@@ -462,5 +480,11 @@ TEST(Definition, HardCase20AFarBackdropLeavesNearRailsApart) {
     }
 }
 
-} // namespace
+REGISTER_TYPED_TEST_SUITE_P(DefinitionCases, AgreesWithDoubleForEverySampleAndAggregateCount,
+                            AgreesWhereSurfacesMayBeSplit, AgreesForSeedsAsPrinted, AgreesForAFixedLength,
+                            AgreesForOrthographicViews, StepsInOrthographicViewsArePartedAlike, AgreesForOtherSurfaces,
+                            HardCase16AgreesForReversedDepthAndInfiniteFarPlane, HardCase55AgreesAtOddSizes,
+                            ASurfaceIsOneAggregateAtAnySlope, ParallelLayersAreTwoAggregates,
+                            HardCase20AWallStaysOneAggregate, HardCase20AFarBackdropLeavesNearRailsApart);
+
 } // namespace agaa::test

@@ -1,11 +1,31 @@
-#include "truth.h"
+// What a frame must hold, sample by sample: which triangle each sample shows.
+#pragma once
+
+#include "view_settings.h"
+
+#include "core/plan/plan.h"
 
 #include <bit>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace agaa::test {
 
-Truth visibleTriangles(StageContext& context, const ViewSettings& like, const std::vector<Triangle>& triangles) {
+inline constexpr uint32_t noTriangle = ~0u;
+
+struct Truth {
+    uint32_t width = 0, height = 0, samples = 0;
+    std::vector<uint32_t> triangle; // (y width + x) samples + i
+
+    uint32_t at(uint32_t x, uint32_t y, uint32_t i) const { return triangle[(size_t(y) * width + x) * samples + i]; }
+};
+
+// Renders primitive ids into a multisampled G-buffer of the same tier, by a technique that does not
+// aggregate.
+template <class Host>
+Truth visibleTriangles(typename Host::Context& context, const ViewSettings& like,
+                       const std::vector<Triangle>& triangles) {
     AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout("paper16", &layout);
     for (uint32_t i = 0; i < layout.attributeCount; ++i)
@@ -21,7 +41,7 @@ Truth visibleTriangles(StageContext& context, const ViewSettings& like, const st
     settings.facts = AGAA_SCENE_FACTS_INIT;
     settings.facts.shadowMapCount = 0;
     settings.shader = ViewSettings::Shader::PrimitiveIds;
-    StageView view(context, settings);
+    typename Host::View view(context, settings);
     view.setTriangles(triangles);
     view.render(view.frame());
 
