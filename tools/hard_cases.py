@@ -16,10 +16,9 @@ To add a case:
   1. Add a row with the next number at the end of docs/numerics.md: "| 60 | failure | stable form | code |", with the
      stable form as one sentence and the main files as code. Numbers must be contiguous.
   2. Write a test HardCase60_Name in a file tests/math/hard_cases_*.cpp, or in tests/core/hard_cases_test.cpp for C++
-     code, which has one HardCaseFigures (tests/math/hard_case_figures.h). Only the decision of a pass, which has no
-     error in numbers, may have a test of pipelines instead. The test of figures fails if the naive form stays within the
-     bound, if the SDK's form exceeds it, or if there are fewer than 100,000 inputs. A program that is not in PROGRAMS
-     below must be added there.
+     code, which has one HardCaseFigures (tests/math/hard_case_figures.h). The test fails if the naive form stays within
+     the bound, if the SDK's form exceeds it, or if there are fewer than 100,000 inputs. A program that is not in
+     PROGRAMS below must be added there.
   3. Build, and run tools/hard_cases.py --measure BUILD.
 """
 import argparse
@@ -37,9 +36,6 @@ FILTER = "*HardCase*"
 # The entries of the column "APIs" for tests below a folder, in their order there.
 APIS = {"tests/math/": ("math",), "tests/core/": ("core",), "tests/vk/": ("Vulkan",), "tests/gl/": ("OpenGL",),
         "tests/stages_support/": ("Vulkan", "OpenGL"), "tests/scenes_support/": ("Vulkan", "OpenGL")}
-# From this case on, decisions of passes may be tested by pipelines alone, whose naive form is the shader before a change.
-FIRST_OF_PIPELINES = 60
-PIPELINES = {"stages_support", "scenes_support", "vk", "gl"}
 # The first four cells of a row are written by hand, the others by this tool.
 ROW = re.compile(r"^\| (\d+) \|([^|\n]*\|[^|\n]*\|[^|\n]*) \|(.*)$", re.MULTILINE)
 TITLES = "case | failure | stable form | code | error | naive | ours | bound | inputs | APIs | tests"
@@ -78,8 +74,8 @@ def cited(text):
 
 
 def citations(root):
-    """Files that cite a case, as paths from the root, and the folders of the tests that have a case in their names."""
-    found, tested = {}, {}
+    """Files that cite a case, as paths from the root, and the cases that tests have in their names."""
+    found, tested = {}, set()
     for folder in CITING:
         for path in sorted((root / folder).rglob("*")):
             name = path.relative_to(root).as_posix()
@@ -88,8 +84,7 @@ def citations(root):
                 for case in cited(text):
                     found.setdefault(case, []).append(name)
                 if name.startswith("tests/"):
-                    for case in named(text):
-                        tested.setdefault(case, set()).add(name.split("/")[1])
+                    tested |= named(text)
     return found, tested
 
 
@@ -210,8 +205,7 @@ def main():
         stale = [row[1] for row in ROW.finditer(text) if current(row) != row[0]] or ["the titles"]
         raise Error(f"Cases whose columns are not current (tools/hard_cases.py --update repairs it): "
                     f"{', '.join(stale)}.")
-    computed = {case for case in listed if case < FIRST_OF_PIPELINES or not tested.get(case, set()) <= PIPELINES}
-    for missing, what in ((set(listed) - set(tested), "a test by number"), (computed - set(figures), "figures")):
+    for missing, what in ((set(listed) - tested, "a test by number"), (set(listed) - set(figures), "figures")):
         if missing:
             raise Error(f"Cases without {what}: {', '.join(map(str, sorted(missing)))}.")
     if set(figures) - set(listed):

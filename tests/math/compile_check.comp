@@ -7,6 +7,9 @@
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
+#include "../../src/shaders/math/ordered_bits.glsl"
+#include "../../src/shaders/math/material_facts.glsl"
+#include "../../src/shaders/math/placement.glsl"
 #include "../../src/shaders/math/alpha_coverage.glsl"
 #include "../../src/shaders/math/coverage_pattern.glsl"
 #include "../../src/shaders/math/triangle_coverage.glsl"
@@ -36,6 +39,10 @@ layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) readonly buffer Input { vec4 inputs[]; };
 layout(set = 0, binding = 1) writeonly buffer Output { vec4 outputs[]; };
 
+uint agaa_fragmentWord(uint at) { return agaa_orderedBits(inputs[at].x); }
+#include "../../src/shaders/tables/layouts.inc"
+#include "../../src/shaders/math/list_order.glsl"
+
 void main() {
     const uint id = gl_GlobalInvocationID.x;
     const vec4 x = inputs[id];
@@ -55,7 +62,10 @@ void main() {
     agaa_Barycentrics inside = agaa_barycentrics(v, acc, x.yzw, x.xy, x.zw);
     acc += inside.at + inside.dx + inside.dy + inside.facing;
     acc += agaa_emissiveFactor(v, acc);
-    acc.x += agaa_mixDisplayed(x.x, x.y, x.z);
+    acc.x += agaa_mixDisplayed(x.x, x.y, x.z) + agaa_colorDifference(agaa_displayed(v), t) + agaa_displayLuma(v);
+    acc.x += agaa_isCutoutByFacts(x.x, x.y > 0.0, x.z > 0.0) && agaa_isEmissive(v, x.w) ? 1.0 : 0.0;
+    acc.y += agaa_isElsewhere(x.xy, x.z, x.w, x.x, x.y) ? 1.0 : 0.0;
+    acc.z += agaa_fromOrderedBits(agaa_orderingWord(id, id + 5u, AGAA_FRAGMENT_MASK_AT + 2u));
     acc.z += float(agaa_translucentMask(x.w, 4u, 1u, 2u, agaa_translucencyHash(id, 1u, 2u, 3u)));
     acc.z += agaa_isInCutout(x.w, x.x, x.xy, x.zw) ? 1.0 : 0.0;
     acc.y += agaa_toksvigAlpha2(x.y,

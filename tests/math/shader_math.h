@@ -2,16 +2,20 @@
 // computes it, and math_d in double, the reference.
 //
 // The functions of the clustering work on global arrays; in C++ they are members of the struct
-// Clustering, so that any number of pixels can be processed side by side.
+// Clustering, so that any number of pixels can be processed side by side. The words of fragments are members of
+// FragmentLists.
 #ifndef AGAA_TESTS_SHADER_MATH_H
 #define AGAA_TESTS_SHADER_MATH_H
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include <glm/glm.hpp>
 #include <glm/integer.hpp>
+
+#include "../../src/shaders/tables/layouts.inc"
 
 #define AGAA_MATH_CPP
 #define AGAA_MAX_SAMPLES 32

@@ -2,6 +2,10 @@
 // because the same files are wanted once for each precision.
 #undef AGAA_MATH_REAL_GLSL
 #undef AGAA_MATH_SANITISE_GLSL
+#undef AGAA_MATH_ORDERED_BITS_GLSL
+#undef AGAA_MATH_LIST_ORDER_GLSL
+#undef AGAA_MATH_MATERIAL_FACTS_GLSL
+#undef AGAA_MATH_PLACEMENT_GLSL
 #undef AGAA_MATH_ADAPTIVE_GLSL
 #undef AGAA_MATH_TILE_BATCHES_GLSL
 #undef AGAA_MATH_ALPHA_COVERAGE_GLSL
@@ -32,6 +36,9 @@
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
+#include "../../src/shaders/math/ordered_bits.glsl"
+#include "../../src/shaders/math/material_facts.glsl"
+#include "../../src/shaders/math/placement.glsl"
 #include "../../src/shaders/math/alpha_coverage.glsl"
 #include "../../src/shaders/math/coverage_pattern.glsl"
 #include "../../src/shaders/math/triangle_coverage.glsl"
@@ -56,6 +63,12 @@
 #include "../../src/shaders/math/light_culling.glsl"
 #include "../../src/shaders/math/adaptive.glsl"
 #include "../../src/shaders/math/tile_batches.glsl"
+
+struct FragmentLists {
+    std::vector<uint> words;
+    uint agaa_fragmentWord(uint at) const { return words[at]; }
+#include "../../src/shaders/math/list_order.glsl"
+};
 
 struct Clustering {
 #include "../../src/shaders/math/clustering.glsl"

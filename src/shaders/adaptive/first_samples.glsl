@@ -3,7 +3,7 @@
 #ifndef AGAA_FIRST_SAMPLES_GLSL
 #define AGAA_FIRST_SAMPLES_GLSL
 #include "math/adaptive.glsl"
-#include "common/display.glsl"
+#include "math/display.glsl"
 #include "adaptive/adaptive_flags.glsl"
 #include "adaptive/stored_choice.glsl"
 

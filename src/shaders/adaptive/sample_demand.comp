@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/frame.glsl"
 #include "common/target.glsl"
 #include "common/counters.glsl"
-#include "common/display.glsl"
+#include "math/display.glsl"
 #include "adaptive/sample_choice.glsl"
 #include "adaptive/stored_choice.glsl"
 #include "common/tile_pixels.glsl"

@@ -1,7 +1,7 @@
-// Features by which samples are compared. Needs common/target.glsl and common/display.glsl.
+// Features by which samples are compared. Needs common/target.glsl and math/display.glsl.
 #ifndef AGAA_SAMPLE_FEATURES_GLSL
 #define AGAA_SAMPLE_FEATURES_GLSL
-#if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_DISPLAY_GLSL)
+#if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_MATH_DISPLAY_GLSL)
 #error "sample_features.glsl needs target.glsl and display.glsl."
 #endif
 #ifndef AGAA_SAMPLE_LANES

@@ -14,7 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/lights.glsl"
 #include "tables/lighting.inc"
 #include "common/tile_pixels.glsl"
-#include "common/ordered_bits.glsl"
+#include "math/ordered_bits.glsl"
 
 layout(std430, AGAA_BINDING_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock {
     uint words[];

@@ -6,7 +6,7 @@
 #error "output.glsl needs AGAA_BINDING_OUTPUT."
 #endif
 #include "common/background.glsl"
-#include "common/display.glsl"
+#include "math/display.glsl"
 #include "math/sanitise.glsl"
 
 layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D agaa_output;

@@ -2,25 +2,22 @@
 #ifndef AGAA_SCENE_FACTS_GLSL
 #define AGAA_SCENE_FACTS_GLSL
 #include "common/api_values.glsl"
+#include "math/material_facts.glsl"
 
 bool agaa_hasFact(uint fact) { return (AGAA_FACTS & fact) != 0u; }
 
-// Returns whether an alpha-masked surface of this cutoff is a cut-out, and not translucent. The facts of the view
-// decide before the material does.
 bool agaa_isCutout(float cutoff) {
-    return agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && cutoff > 0.0);
+    return agaa_isCutoutByFacts(cutoff, agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY), agaa_hasFact(AGAA_FACT_NO_CUTOUTS));
 }
 
-// Returns the bits of the facts that this material demands or contradicts. emissiveRange: of the layout. Emission has
-// no other scale, because hosts multiply it by their exposure.
+// Returns the bits of the facts that this material demands or contradicts. emissiveRange: of the layout.
 uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2, float emissiveRange) {
     const float least = 2e-3; // above the rounding of 8 bits
-    float leastEmission = emissiveRange * 7.6e-6; // half a step of 16 bits
     vec3 apart = abs(specular - specular.yzx);
     vec3 other = abs(specular - uintBitsToFloat(AGAA_ONE_SPECULAR));
     uint demands = 0u;
     demands |= max(specular.x, max(specular.y, specular.z)) > least ? AGAA_FACT_SPECULAR : 0u;
-    demands |= max(emissive.x, max(emissive.y, emissive.z)) > leastEmission ? AGAA_FACT_EMISSIVE : 0u;
+    demands |= agaa_isEmissive(emissive, emissiveRange) ? AGAA_FACT_EMISSIVE : 0u;
     demands |= abs(sqrt(alpha2) - sqrt(uintBitsToFloat(AGAA_ONE_ALPHA2))) > least ? AGAA_FACT_ONE_ROUGHNESS : 0u;
     demands |= max(apart.x, max(apart.y, apart.z)) > least ? AGAA_FACT_GREY_SPECULAR : 0u;
     demands |= max(other.x, max(other.y, other.z)) > least ? AGAA_FACT_ONE_SPECULAR : 0u;

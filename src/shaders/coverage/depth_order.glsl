@@ -1,7 +1,7 @@
 // The depth by which the fragments of a list are sorted. Needs AGAA_SAMPLES and what growing_depth.glsl needs.
 #ifndef AGAA_DEPTH_ORDER_GLSL
 #define AGAA_DEPTH_ORDER_GLSL
-#include "common/ordered_bits.glsl"
+#include "math/ordered_bits.glsl"
 #include "coverage/growing_depth.glsl"
 #include "math/coverage_pattern.glsl"
 

@@ -4,26 +4,18 @@
 #define AGAA_LIST_ORDER_GLSL
 #include "coverage/fragment_words.glsl"
 
-// Returns the first word from `first` on that differs between two fragments, or `end`.
-uint agaa_firstDifference(uint record, uint other, uint first, uint end) {
-    uint word = first;
-    while (word < end && agaa_fragments.words[record + word] == agaa_fragments.words[other + word])
-        ++word;
-    return word;
-}
+uint agaa_fragmentWord(uint at) { return agaa_fragments.words[at]; }
+#include "math/list_order.glsl"
 
-// Returns whether the first fragment precedes the second: by depth, then by coverage, neither of which depends on the
-// draws, then by id. Fragments of material lists may share an id; their further words then decide, so that frames are
-// repeatable.
+// Returns whether the first fragment precedes the second. Fragments of material lists may share an id; their further
+// words then decide, so that frames are repeatable.
 bool agaa_isBefore(uint record, uint other) {
-    bool isByDepth = agaa_fragments.words[record + AGAA_FRAGMENT_DEPTH_AT] != 0u;
-    uint word = isByDepth ? agaa_firstDifference(record, other, AGAA_FRAGMENT_DEPTH_AT, AGAA_PAYLOAD_AT) : 0u;
-    word = word < AGAA_PAYLOAD_AT ? word : 0u;
+    uint word = agaa_orderingWord(record, other, AGAA_PAYLOAD_AT);
 #ifdef AGAA_MATERIAL_LISTS
-    if (word == 0u && agaa_fragments.words[record] == agaa_fragments.words[other])
+    if (word == 0u && agaa_fragmentWord(record) == agaa_fragmentWord(other))
         word = agaa_firstDifference(record, other, AGAA_FRAGMENT_MASK_AT, AGAA_FRAGMENT_WORDS - 1u);
 #endif
-    return agaa_fragments.words[record + word] < agaa_fragments.words[other + word];
+    return agaa_fragmentWord(record + word) < agaa_fragmentWord(other + word);
 }
 
 struct agaa_SortedRuns {

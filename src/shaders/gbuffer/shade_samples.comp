@@ -17,14 +17,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/tile.glsl"
 
 #if AGAA_CLASSIFIED
-float agaa_largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
-
 float agaa_materialDifference(agaa_Surface a, agaa_Surface b) {
-    float d = agaa_largest(abs(a.diffuse - b.diffuse));
+    float d = agaa_colorDifference(a.diffuse, b.diffuse);
     if (AGAA_HAS_SPECULAR != 0u)
-        d = max(d, max(agaa_largest(abs(a.specular - b.specular)), abs(a.alpha2 - b.alpha2)));
+        d = max(d, max(agaa_colorDifference(a.specular, b.specular), abs(a.alpha2 - b.alpha2)));
     if (AGAA_EMISSIVE_CHANNELS != 0u)
-        d = max(d, agaa_largest(abs(agaa_displayed(a.emissive) - agaa_displayed(b.emissive))));
+        d = max(d, agaa_colorDifference(agaa_displayed(a.emissive), agaa_displayed(b.emissive)));
     return d;
 }
 

@@ -4,7 +4,8 @@
 #if !defined(AGAA_COUNTING) || !defined(AGAA_FIRST_PASS)
 #error "placement.glsl needs AGAA_COUNTING and AGAA_FIRST_PASS."
 #endif
-// Positions that are not finite compare false with everything, so they are tested first (hard case 64).
+#include "math/placement.glsl"
+
 bool agaa_isMisplaced(vec3 position) {
     uint orthographic = agaa_frame.isOrthographic;
     vec3 p = mat3(agaa_frame.view) * position;
@@ -14,12 +15,9 @@ bool agaa_isMisplaced(vec3 position) {
     vec2 away = abs((ndc * 0.5 + 0.5) * target - gl_FragCoord.xy);
     float z = agaa_viewZFromDepth(gl_FragCoord.z, agaa_frame.projection22, agaa_frame.projection32,
                                   orthographic);
-    // Positions inside a primitive are up to a pixel from the fragment's centre, and depth is quantised.
-    float slope = fwidth(p.z);
     float quantum = agaa_depthQuantum(z, gl_FragCoord.z, agaa_frame.projection22, agaa_frame.projection32,
                                       orthographic, 5.96e-8);
-    float apart = abs(z - p.z) - (0.05 * abs(p.z) + 2.0 * slope + 4.0 * quantum);
-    return !agaa_isFinite3(vec3(away, p.z)) || max(away.x, away.y) > 2.0 || apart > 0.0;
+    return agaa_isElsewhere(away, p.z, z, fwidth(p.z), quantum);
 }
 
 void agaa_checkPlacement(vec3 position) {
