@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/abi/handles.h"
+#include "core/glsl/compile_glsl.h"
 #include "core/glsl/host_glsl.h"
 #include "vk/device_table.h"
 
@@ -27,6 +28,7 @@ public:
     bool conditionalRendering = false;
     bool secondary = true; // draw callbacks record into secondary command buffers of the SDK
     HostDialect dialect;
+    GlslCompilerUse compilerUse;
     VkPipelineCache pipelineCache;             // of the host, or createdCache_
     std::optional<AgaaVkAllocator> hostMemory; // nullopt: vkAllocateMemory
     VkPhysicalDeviceMemoryProperties memory{};

@@ -144,6 +144,7 @@ void runGlsl(Choices& choices) {
         chain(shadow, shadowText);
 
     // A compilation takes milliseconds, so one pass of the view is enough.
+    static const agaa::GlslCompilerUse compilerUse;
     const char* step = "planning";
     try {
         const agaa::Plan plan = agaa::makePlan(agaa::resolveView(&view, agaa::techniques()), agaa::idealDevice(), 2);

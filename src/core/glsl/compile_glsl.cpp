@@ -11,12 +11,6 @@ namespace agaa {
 
 namespace {
 
-// glslang counts its users in the process.
-struct Glslang {
-    Glslang() { glslang::InitializeProcess(); }
-    ~Glslang() { glslang::FinalizeProcess(); }
-};
-
 // Names and text of the host are in the log.
 std::string firstLine(const char* log) {
     const std::string text(log);
@@ -29,8 +23,12 @@ std::string firstLine(const char* log) {
 
 } // namespace
 
+// glslang counts its users in the process.
+GlslCompilerUse::GlslCompilerUse() { glslang::InitializeProcess(); }
+GlslCompilerUse::~GlslCompilerUse() { glslang::FinalizeProcess(); }
+
 std::vector<uint32_t> compileCompute(const std::string& text, const char* what) {
-    const Glslang library;
+    const GlslCompilerUse use;
     constexpr auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
     const auto refuse = [&](const char* log) {
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s does not compile: %s.", what, firstLine(log).c_str()));
