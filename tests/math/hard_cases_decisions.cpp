@@ -51,7 +51,8 @@ TEST(HardCase60_MasksOfPasses, FactsDecideBeforeMaterials) {
 
 TEST(HardCase62_ColorsOfEqualLuma, ChannelsDiffer) {
     Random random(62);
-    HardCaseFigures figures(62, "displayed difference of two colours of equal luma that the feature lacks", 1e-6);
+    HardCaseFigures figures(
+        62, "displayed difference of two colours of equal luma that the comparison of classified samples lacks", 1e-6);
     const auto displayed = [](double x) { return std::pow(x / (1 + x), 1 / 2.2); };
     // Gives b the luma of a.
     const auto check = [&](const glm::dvec3& a, const glm::dvec3& b) {
@@ -134,7 +135,7 @@ TEST(HardCase64_PositionsThatAreNotFinite, AreMisplaced) {
             bad[k] = components >> k & 1u ? notFinite() : bad[k];
         passed.add(!isElsewhere(bad));
         comparisonPassed.add(!comparesElsewhere(bad));
-        for (const float x : {FLT_MAX, -FLT_MAX}) { // the position in the image is not finite
+        for (const float x : {FLT_MAX, -FLT_MAX}) { // far outside the image, or not finite there
             bad = right;
             bad[int(random.below(2))] = x;
             ASSERT_TRUE(isElsewhere(bad)) << depthZ;

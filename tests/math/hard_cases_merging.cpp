@@ -68,6 +68,7 @@ Order sorted(const Fragments& fragments, Order arrival, const Order& ids, bool b
         const Kept::agaa_CoveredSurface& s = fragments[i];
         const math_f::agaa_DepthPlane plane = {s.plane.x, {s.plane.y, s.plane.z}, Kept().agaa_rangeOf(s)};
         const float depth = math_f::agaa_depthAt(plane, math_f::agaa_coverageMiddle(s.mask, 64));
+        // As coverage/depth_order.glsl; depths grow with the distance here.
         const unsigned key = byDepth ? math_f::agaa_orderedBits(depth) : 0;
         lists.words.insert(lists.words.end(), {unsigned(ids[i]), 0, key, s.mask.x, s.mask.y});
     }

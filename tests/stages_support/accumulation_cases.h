@@ -1,9 +1,9 @@
-// Generation: the sums in the AG-buffer against what the visible triangles say, bit for bit.
+// Generation: the sums in the AG-buffer against what the visible triangles say, bit for bit. Each graphics API
+// instantiates these.
 #pragma once
 
 #include "agreement.h"
 #include "setting_share.h"
-#include "surfaces.h"
 #include "truth.h"
 
 #include <gtest/gtest.h>

@@ -1,16 +1,19 @@
-// Definition: the aggregate of every sample against the same clustering in double on the CPU.
+// Definition: the aggregate of every sample against the same clustering in double on the CPU. Each graphics
+// API instantiates these.
 #pragma once
 
 #include "agreement.h"
 #include "setting_share.h"
-#include "shown.h"
 #include "surfaces.h"
+#include "view_settings.h"
 
 #include "core/frame/frame_data.h"
 #include "shader_math.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <memory>
@@ -18,7 +21,7 @@
 namespace agaa::test {
 
 namespace definition {
-namespace { // as the types of shader_math.h
+namespace { // internal, because the types of shader_math.h are
 
 struct Ids {
     uint32_t covered = 0;
@@ -26,7 +29,7 @@ struct Ids {
 };
 
 // What the GPU defined.
-inline Ids storedIds(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t n, uint32_t c, uint32_t covered) {
+Ids storedIds(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t n, uint32_t c, uint32_t covered) {
     Ids ids{covered, {}};
     const glm::uvec4 texel = metadata[pixel];
     const uint64_t planes = n < 32 ? texel.x : texel.x | uint64_t(texel.y) << 32;
@@ -43,8 +46,8 @@ struct Pixel {
     double width = 0; // of one surface
 };
 
-inline glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint32_t x, uint32_t y, uint32_t i,
-                               double depth) {
+glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint32_t x, uint32_t y, uint32_t i,
+                        double depth) {
     const FrameConstants& c = constants;
     const double z =
         math_d::agaa_viewZFromDepth(depth, double(c.projection22), double(c.projection32), c.isOrthographic);
@@ -113,7 +116,7 @@ private:
 };
 
 // The same partition, whatever the aggregates are called.
-inline bool samePartition(const Ids& a, const Ids& b, uint32_t n) {
+bool samePartition(const Ids& a, const Ids& b, uint32_t n) {
     for (uint32_t i = 0; i < n; ++i)
         for (uint32_t j = 0; j < i; ++j)
             if ((a.covered >> i & 1) && (a.covered >> j & 1) && (a.id[i] == a.id[j]) != (b.id[i] == b.id[j]))
@@ -131,7 +134,7 @@ struct Agreement {
 template <class Host>
 Agreement compareWithOracle(typename Host::Context& context, const ViewSettings& settings,
                             const std::vector<Triangle>& scene) {
-    StageView view(context, settings);
+    typename Host::View view(context, settings);
     view.setTriangles(scene);
     const AgaaFrame frame = view.frame();
     view.render(frame);
@@ -182,7 +185,7 @@ void expectOracle(typename Host::Context& context, const ViewSettings& settings,
     EXPECT_LE(found.different, found.pixels / 200);
 }
 
-inline ViewSettings settingsFor(uint32_t n, uint32_t c) {
+ViewSettings settingsFor(uint32_t n, uint32_t c) {
     ViewSettings settings;
     settings.config.samples = n;
     settings.config.aggregates = c;
@@ -192,8 +195,8 @@ inline ViewSettings settingsFor(uint32_t n, uint32_t c) {
 }
 
 // A square of two triangles; `side` is along one of its edges.
-inline void addSquare(std::vector<Triangle>& scene, const glm::vec3& normal, const glm::vec3& side,
-                      const glm::vec3& centre, float size) {
+void addSquare(std::vector<Triangle>& scene, const glm::vec3& normal, const glm::vec3& side, const glm::vec3& centre,
+               float size) {
     const glm::vec3 up = glm::cross(side, normal);
     const glm::vec3 corners[4] = {centre - size * (side + up), centre + size * (side - up), centre + size * (side + up),
                                   centre + size * (up - side)};
@@ -230,7 +233,7 @@ Split splitPixels(typename Host::Context& context, uint32_t tier, const glm::vec
     addSquare(scene, toShading * normal, toShading * side, toShading * behind, size);
     if (gap > 0)
         addSquare(scene, toShading * normal, toShading * side, toShading * (behind + gap * normal + size * side), size);
-    StageView view(context, settings);
+    typename Host::View view(context, settings);
     view.setTriangles(scene);
     const AgaaFrame frame = view.frame();
     view.render(frame);
@@ -263,8 +266,8 @@ Split splitPixels(typename Host::Context& context, uint32_t tier, const glm::vec
     return split;
 }
 
-inline const glm::vec3 slopes[] = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, 0.8f, 0.6f}, {-0.64f, 0.48f, 0.6f}};
-inline constexpr uint32_t tiers[] = {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER};
+const glm::vec3 slopes[] = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, 0.8f, 0.6f}, {-0.64f, 0.48f, 0.6f}};
+constexpr uint32_t tiers[] = {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER};
 
 } // namespace
 } // namespace definition

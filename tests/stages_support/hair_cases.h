@@ -1,12 +1,12 @@
-// Attributes of primitives thinner than a pixel.
+// Attributes of primitives thinner than a pixel. Each graphics API instantiates these.
 #pragma once
 
-#include "agreement.h"
-#include "shown.h"
 #include "surfaces.h"
+#include "view_settings.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace agaa::test {

@@ -337,7 +337,8 @@ TYPED_TEST_P(HardGeometryCases, HardCase46And52NothingLeaksThroughASheet) {
 }
 
 // A strip of a quarter of a pixel falls through a plane in its middle: half of its samples are in front of the plane.
-// A depth plane that is flattened around the pixel's centre puts all of them on the side of its half of the pixel.
+// A depth plane that is flattened around the pixel's centre has all or none of them in front, by the strip's half of
+// the pixel.
 TYPED_TEST_P(HardGeometryCases, HardCase61StripsOfAFractionOfAPixelCrossAPlane) {
     constexpr float width = 0.25f, middle = 6, extent = 4;
     const float starts[] = {0, 0.125f, 0.25f}; // from the left edge of a half of the pixel
@@ -353,22 +354,15 @@ TYPED_TEST_P(HardGeometryCases, HardCase61StripsOfAFractionOfAPixelCrossAPlane) 
             scene.push_back(t);
         }
     }
-    const auto flattened = [&](float at) { // the share of a strip that is in front, where its middle lies in the pixel
-        const float slope = extent / width, kept = std::min(1.0f, extent / 2 / (slope / 2));
-        return std::clamp(0.5f - (at - 0.5f) / (width * kept), 0.0f, 1.0f);
-    };
     for (const Setting& s : {Setting{"agaa", 64, AGAA_TIER_FRAGMENTS}, {"dcaa", 64}, {"dcaa", 128}}) {
         const Shown r = this->render(pixelView(s, 4), scene, {});
         for (const int half : {0, 1}) {
-            double front = 0, naive = 0;
-            for (int x = 16 * half; x < 16 * half + 16; ++x) {
-                naive += double(flattened(0.5f * float(half) + starts[x % 3] + width / 2)) * double(width);
+            double front = 0;
+            for (int x = 16 * half; x < 16 * half + 16; ++x)
                 for (int y = 0; y < 16; ++y)
                     front += double(r.rgb[3 * size_t(32 * y + x) + 2]) / 16;
-            }
             const double truth = 16 * double(width) / 2;
             EXPECT_NEAR(front, truth, 0.15 * truth) << s << ", half " << half;
-            EXPECT_GT(std::abs(naive - truth), 0.3 * truth) << "the test must be able to fail";
         }
         EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
     }

@@ -92,7 +92,8 @@ glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass);
 // not changed.
 std::string rasterisedInOrder(const ViewSettings& settings, std::string text);
 // The end of the material shader: GLSL that changes `AgaaSurfaceInput s` as ViewSettings says and emits it. Reads
-// `uint triangle`, a number that begins with 0, and `vec2 uv`, a plain fragment input.
+// `uint triangle`, a number that begins with 0, and `vec2 uv`, a plain fragment input, and what ViewSettings::surface
+// may read. It closes main().
 extern const char* const emitText;
 // Defines for the material shader.
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked);

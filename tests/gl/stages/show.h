@@ -61,7 +61,7 @@ struct OpenGLHost {
     static constexpr bool runsAtOnce = true;      // a call that fails has run its first passes
     static constexpr bool endsRepetitions = true; // the CPU reads the word
     static constexpr bool isCalledOnce = false;
-    // Of the place of corners.
+    // Returns the number of fractional bits of a vertex's position in the rasteriser.
     static uint32_t subPixelBits() {
         GLint bits = 0;
         sharedEgl().gl().GetIntegerv(GL_SUBPIXEL_BITS, &bits);

@@ -42,7 +42,7 @@ struct VulkanHost {
         EXPECT_EQ(agaaVkGetContextCaps(context.get(), &caps), AGAA_OK);
         return caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
     }
-    // Of the place of corners.
+    // Returns the number of fractional bits of a vertex's position in the rasteriser.
     static uint32_t subPixelBits() { return sharedDevice().limits().subPixelPrecisionBits; }
     static std::vector<float> rgba(const View& view) { return withAlpha(view.image().rgb); }
     static ShadowMap shadowMap(const Context&, float depth) { return ShadowMap({depth}, 4); }
