@@ -1,35 +1,36 @@
 # Shaders in the library: passes as SPIR-V, one array a permutation; host GLSL as text.
-find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
-find_program(SPIRV_OPT spirv-opt REQUIRED)
 # These passes make pipelines up to nine times faster to create. glslang's own list (-Os) also merges returns and
 # simplifies, for which GPUs need more registers (docs/results/compiled.md).
 set(AGAA_SPIRV_PASSES --inline-entry-points-exhaustive --eliminate-dead-functions --scalar-replacement=100
     --convert-local-access-chains --eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite
     --eliminate-dead-code-aggressive)
 set(AGAA_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
-set(AGAA_EMBED_SPIRV_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_spirv.cmake)
 
-# agaa_compile_pass(OUT_LIST FILE NAME DEFINES...): adds commands, appends the include file of the array to OUT_LIST.
-function(agaa_compile_pass out_list file name)
-  set(spv ${CMAKE_CURRENT_BINARY_DIR}/spirv/${name}.spv)
-  set(array ${CMAKE_CURRENT_BINARY_DIR}/spirv/${name}.inc)
+# agaa_compile_pass(OUT_LIST FILE NAME:MACRO=VALUE:…...): adds commands that compile permutations of a pass, and appends
+# the include files of their arrays to OUT_LIST.
+function(agaa_compile_pass out_list file)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/spirv)
   set(shaders ${PROJECT_SOURCE_DIR}/src/shaders)
-  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/spirv)
-  # glslang names the files that the pass includes, so that a change compiles only what reads it.
-  add_custom_command(
-    OUTPUT ${spv}
-    COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -I${shaders}
-            -I${CMAKE_CURRENT_BINARY_DIR}/shaders ${ARGN} --depfile ${spv}.d -o ${spv} ${shaders}/${file}
-    DEPENDS ${shaders}/${file} ${written_glsl}
-    DEPFILE ${spv}.d
-    COMMENT "Compiling ${name}" VERBATIM)
-  add_custom_command(
-    OUTPUT ${array}
-    COMMAND ${CMAKE_COMMAND} -D SPIRV_OPT=${SPIRV_OPT} "-DPASSES=${AGAA_SPIRV_PASSES}" -D INPUT=${spv}
-            -D OUTPUT=${array} -D NAME=spirv_${name} -P ${AGAA_EMBED_SPIRV_SCRIPT}
-    DEPENDS ${spv} ${AGAA_EMBED_SPIRV_SCRIPT}
-    COMMENT "Optimising ${name}" VERBATIM)
-  set(${out_list} ${${out_list}} ${array} PARENT_SCOPE)
+  file(MAKE_DIRECTORY ${folder})
+  list(JOIN AGAA_SPIRV_PASSES , optimisations)
+  list(LENGTH ARGN count)
+  math(EXPR last "${count} - 1")
+  foreach(begin RANGE 0 ${last} 8)
+    list(SUBLIST ARGN ${begin} 8 permutations)
+    string(REGEX REPLACE ":[^;]*" "" names "${permutations}")
+    list(GET names 0 first)
+    list(TRANSFORM names REPLACE "(.+)" "${folder}/\\1.inc" OUTPUT_VARIABLE arrays)
+    # The program names the files that the pass includes, so that a change compiles only what reads it.
+    add_custom_command(
+      OUTPUT ${arrays}
+      COMMAND agaa-compile-passes ${shaders}/${file} ${folder} ${folder}/${first}.d
+              ${shaders},${CMAKE_CURRENT_BINARY_DIR}/shaders ${optimisations} ${permutations}
+      DEPENDS agaa-compile-passes ${shaders}/${file} ${written_glsl}
+      DEPFILE ${folder}/${first}.d
+      COMMENT "Compiling ${first} and further permutations" VERBATIM)
+    list(APPEND ${out_list} ${arrays})
+  endforeach()
+  set(${out_list} ${${out_list}} PARENT_SCOPE)
 endfunction()
 
 # agaa_embed_text(OUTPUT BASE FILES...): a C++ include file of {"path", R"(text)"} rows.

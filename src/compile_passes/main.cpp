@@ -1,0 +1,165 @@
+// Compiles permutations of a pass to SPIR-V, optimises them, and writes each as an array of a C++ include file. One
+// process compiles several, because glslang takes longer to start than most passes to compile.
+//
+// usage: agaa-compile-passes SHADER OUTPUT_FOLDER DEPFILE INCLUDE_FOLDERS OPTIMISATIONS PERMUTATION…
+// Lists have commas. A permutation is NAME:MACRO=VALUE:MACRO=VALUE…; its file is OUTPUT_FOLDER/NAME.inc.
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <spirv-tools/optimizer.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<uint32_t>;
+
+[[noreturn]] void fail(const std::string& sentence) {
+    std::fprintf(stderr, "agaa-compile-passes: %s\n", sentence.c_str());
+    std::exit(1);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    for (size_t begin = 0; begin <= text.size();) {
+        const size_t end = std::min(text.find(separator, begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+std::string readText(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        fail("The file " + path.string() + " cannot be read.");
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Finds included files beside the one that includes them, then in the folders.
+class Includer : public glslang::TShader::Includer {
+public:
+    explicit Includer(std::vector<std::string> folders) : folders_(std::move(folders)) {}
+
+    IncludeResult* includeLocal(const char* name, const char* includer, size_t) override {
+        if (IncludeResult* beside = find(fs::path(includer).parent_path() / name))
+            return beside;
+        return includeSystem(name, includer, 0);
+    }
+    IncludeResult* includeSystem(const char* name, const char*, size_t) override {
+        for (const std::string& folder : folders_)
+            if (IncludeResult* found = find(fs::path(folder) / name))
+                return found;
+        return nullptr;
+    }
+    void releaseInclude(IncludeResult* result) override { delete result; }
+
+    const std::map<std::string, std::string>& files() const { return texts_; } // that were included, with their texts
+
+private:
+    IncludeResult* find(const fs::path& path) {
+        const std::string name = path.lexically_normal().string();
+        auto found = texts_.find(name);
+        if (found == texts_.end()) {
+            if (!fs::is_regular_file(name))
+                return nullptr;
+            found = texts_.emplace(name, readText(name)).first;
+        }
+        return new IncludeResult(name, found->second.data(), found->second.size(), nullptr);
+    }
+
+    std::vector<std::string> folders_;
+    std::map<std::string, std::string> texts_;
+};
+
+Words compile(const std::string& path, const std::string& text, const std::string& preamble, Includer& includer) {
+    constexpr auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
+    glslang::TShader shader(EShLangCompute);
+    const char* const texts[] = {text.c_str()};
+    const int lengths[] = {int(text.size())};
+    const char* const names[] = {path.c_str()};
+    shader.setStringsWithLengthsAndNames(texts, lengths, names, 1);
+    shader.setPreamble(preamble.c_str());
+    shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+    if (!shader.parse(GetDefaultResources(), 100, false, messages, includer))
+        fail(path + " does not compile:\n" + shader.getInfoLog());
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(messages) || !program.mapIO())
+        fail(path + " does not link:\n" + program.getInfoLog());
+    Words words;
+    glslang::SpvOptions options;
+    glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words, &options);
+    return words;
+}
+
+Words optimised(const Words& words, const std::vector<std::string>& passes, const std::string& name) {
+    spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
+    std::string errors;
+    optimizer.SetMessageConsumer([&](spv_message_level_t level, const char*, const spv_position_t&, const char* text) {
+        if (level <= SPV_MSG_ERROR) // it warns of each function that is not inlined
+            errors += std::string(text) + "\n";
+    });
+    Words result;
+    if (!optimizer.RegisterPassesFromFlags(passes) || !optimizer.Run(words.data(), words.size(), &result))
+        fail(name + " cannot be optimised:\n" + errors);
+    return result;
+}
+
+void writeArray(const fs::path& path, const std::string& name, const Words& words) {
+    std::string text = "const uint32_t spirv_" + name + "[] = {";
+    char word[16];
+    for (const uint32_t each : words) {
+        std::snprintf(word, sizeof word, "0x%08x,", each);
+        text += word;
+    }
+    std::ofstream file(path, std::ios::binary);
+    file << text << "};\n";
+    if (!file.flush())
+        fail("The file " + path.string() + " cannot be written.");
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count < 7)
+        fail("SHADER OUTPUT_FOLDER DEPFILE INCLUDE_FOLDERS OPTIMISATIONS PERMUTATION… are expected.");
+    const std::string shader = arguments[1];
+    const fs::path folder = arguments[2];
+    const std::vector<std::string> passes = split(arguments[5], ',');
+    const std::string text = readText(shader);
+    Includer includer(split(arguments[4], ','));
+    glslang::InitializeProcess();
+    std::string outputs;
+    for (int i = 6; i < count; ++i) {
+        const std::vector<std::string> parts = split(arguments[i], ':');
+        const std::string& name = parts[0];
+        std::string preamble;
+        for (size_t k = 1; k < parts.size(); ++k)
+            preamble += "#define " + parts[k].substr(0, parts[k].find('=')) + " " +
+                        parts[k].substr(parts[k].find('=') + 1) + "\n";
+        const fs::path output = folder / (name + ".inc");
+        writeArray(output, name, optimised(compile(shader, text, preamble, includer), passes, name));
+        outputs += output.string() + " ";
+    }
+    glslang::FinalizeProcess();
+    std::ofstream dependencies(arguments[3]);
+    dependencies << outputs << ": " << shader;
+    for (const auto& [path, contents] : includer.files())
+        dependencies << " " << path;
+    dependencies << "\n";
+    if (!dependencies.flush())
+        fail(std::string("The file ") + arguments[3] + " cannot be written.");
+}
