@@ -148,18 +148,12 @@ void expectExactSums(typename Host::Context& context, const Case& c, const std::
 
 } // namespace sums
 
-template <class Host> class AccumulationCases : public testing::Test {
+template <class Host> class AccumulationCases : public testing::Test, protected SettingCounter<Host> {
 protected:
     void expectExactSums(const sums::Case& c, const std::vector<Triangle>& scene) {
         sums::expectExactSums<Host>(context, c, scene);
     }
-    // Returns whether this graphics API renders the next setting of the test.
-    bool rendersNext() { return rendersSetting<Host>(setting_++); }
-
     typename Host::Context context;
-
-private:
-    size_t setting_ = 0;
 };
 
 TYPED_TEST_SUITE_P(AccumulationCases);

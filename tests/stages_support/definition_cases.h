@@ -272,18 +272,12 @@ constexpr uint32_t tiers[] = {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER};
 } // namespace
 } // namespace definition
 
-template <class Host> class DefinitionCases : public testing::Test {
+template <class Host> class DefinitionCases : public testing::Test, protected SettingCounter<Host> {
 protected:
     void expectOracle(const ViewSettings& settings, const std::vector<Triangle>& scene) {
         definition::expectOracle<Host>(context, settings, scene);
     }
-    // Returns whether this graphics API renders the next setting of the test.
-    bool rendersNext() { return rendersSetting<Host>(setting_++); }
-
     typename Host::Context context;
-
-private:
-    size_t setting_ = 0;
 };
 
 TYPED_TEST_SUITE_P(DefinitionCases);

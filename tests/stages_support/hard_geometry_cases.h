@@ -362,7 +362,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase61StripsOfAFractionOfAPixelCrossAPlane) 
                 for (int y = 0; y < 16; ++y)
                     front += double(r.rgb[3 * size_t(32 * y + x) + 2]) / 16;
             const double truth = 16 * double(width) / 2;
-            EXPECT_NEAR(front, truth, 0.15 * truth) << s << ", half " << half;
+            EXPECT_NEAR(front, truth, 0.02 * truth) << s << ", half " << half;
         }
         EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
     }

@@ -13,4 +13,14 @@ template <class Host> bool rendersSetting(size_t index) {
     return rendersAll || index % 2 == Host::settingShare;
 }
 
+// Counts the settings of a test.
+template <class Host> class SettingCounter {
+public:
+    // Returns whether this graphics API renders the next setting.
+    bool rendersNext() { return rendersSetting<Host>(setting_++); }
+
+private:
+    size_t setting_ = 0;
+};
+
 } // namespace agaa::test
