@@ -5,7 +5,6 @@
 
 #include <limits>
 #include <sys/stat.h>
-#include <unistd.h>
 
 using namespace harness;
 using namespace scene_test;
@@ -191,16 +190,15 @@ TEST(GltfFeatures, FarVerticesHaveTheirOwnOrigin) {
 
 // A directory has 2^63 - 1 bytes for tinygltf; a pipe would make it wait.
 TEST(GltfFeatures, BuffersAreRegularFiles) {
-    const std::filesystem::path folder(testing::TempDir());
-    const std::string pipe = "gltf_pipe_" + std::to_string(getpid());
-    ASSERT_EQ(mkfifo((folder / pipe).c_str(), 0600), 0);
-    for (const std::string& uri : {std::string("."), std::string("\\u0000"), std::string("x/.."),
-                                   std::string("\\u0000:x"), std::string("/dev/zero"), pipe, std::string()}) {
+    const std::filesystem::path& folder = scratchFolder();
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    for (const std::string& uri :
+         {std::string("."), std::string("\\u0000"), std::string("x/.."), std::string("\\u0000:x"),
+          std::string("/dev/zero"), std::string("pipe"), std::string()}) {
         std::ofstream(folder / "no_file.gltf")
             << R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":42,"uri":")" << uri << R"("}]})";
         expectError(folder / "no_file.gltf", uri.empty() ? "uri" : "not found");
     }
-    std::filesystem::remove(folder / pipe);
 }
 
 TEST(GltfFeatures, IndicesOfLightsAreIndices) {

@@ -6,13 +6,34 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace scene_test {
+
+// A folder of this process, removed when it ends: tests run side by side and write files of the same names.
+inline const std::filesystem::path& scratchFolder() {
+    struct Folder {
+        Folder() {
+            std::string name = (std::filesystem::temp_directory_path() / "agaa_scenes_XXXXXX").string();
+            if (!mkdtemp(name.data()))
+                throw std::runtime_error("cannot create a folder like " + name + ".");
+            path = name;
+        }
+        ~Folder() {
+            std::error_code ignored;
+            std::filesystem::remove_all(path, ignored);
+        }
+        std::filesystem::path path;
+    };
+    static const Folder folder;
+    return folder.path;
+}
 
 // Collects buffer data with its bufferViews and accessors; everything else is given as JSON text.
 class GltfFile {
@@ -55,10 +76,10 @@ public:
     }
 
     std::filesystem::path writeGltf(const std::string& stem, const std::string& rest) const {
-        const std::filesystem::path folder(testing::TempDir());
-        write(folder / (stem + ".bin"), {bytes.begin(), bytes.end()});
-        write(folder / (stem + ".gltf"), json(rest, stem + ".bin"));
-        return folder / (stem + ".gltf");
+        const std::filesystem::path path = scratchFolder() / (stem + ".gltf");
+        write(scratchFolder() / (stem + ".bin"), {bytes.begin(), bytes.end()});
+        write(path, json(rest, stem + ".bin"));
+        return path;
     }
 
     std::filesystem::path writeGlb(const std::string& stem, const std::string& rest) const {
@@ -73,7 +94,7 @@ public:
         file += "JSON" + text;
         append(file, uint32_t(data.size()));
         file += std::string("BIN\0", 4) + data;
-        const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / (stem + ".glb");
+        const std::filesystem::path path = scratchFolder() / (stem + ".glb");
         write(path, file);
         return path;
     }

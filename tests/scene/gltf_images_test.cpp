@@ -35,7 +35,7 @@ std::filesystem::path squareWithUri(const std::string& uri, const std::string& b
     const std::string stem = std::string("uris-") + testing::UnitTest::GetInstance()->current_test_info()->name();
     if (bufferUri.empty())
         return file.writeGltf(stem, rest);
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / (stem + ".gltf");
+    const std::filesystem::path path = scratchFolder() / (stem + ".gltf");
     GltfFile::write(path, file.json(rest, bufferUri));
     return path;
 }
@@ -67,13 +67,13 @@ TEST(GltfImages, TextureWithoutAReadableImageIsWhite) {
 
 TEST(GltfImages, MissingFileIsCalledMissing) {
     expectError(squareWithUri("absent.png"), R"(the image file "absent.png" is missing or empty)");
-    GltfFile::write(std::filesystem::path(testing::TempDir()) / "text.png", "no image");
+    GltfFile::write(scratchFolder() / "text.png", "no image");
     expectError(squareWithUri("text.png"), R"(the image "text.png" could not be decoded)");
 }
 
 // A plus sign in a URI is a plus sign; only percent signs escape.
 TEST(GltfImages, PlusIsACharacterOfFileNames) {
-    const std::filesystem::path folder(testing::TempDir());
+    const std::filesystem::path& folder = scratchFolder();
     GltfFile::write(folder / "a+b c.png", {kPng.begin(), kPng.end()});
     GltfFile file;
     file.add(kSquare, "VEC3", kFloat);
@@ -88,7 +88,7 @@ TEST(GltfImages, ErrorsAreShort) {
     expectError(squareWithUri("data:image/webp;base64," + megabyte), "data:image/webp");
     expectError(squareWithUri(megabyte + ".png"), "missing");
     expectError(squareWithUri(R"(line\nbreak\u0007.png)"), "line");
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "unterminated.gltf";
+    const std::filesystem::path path = scratchFolder() / "unterminated.gltf";
     GltfFile::write(path, R"({"asset":{"version":"2.0"},"buffers":[{"uri":"data:)" + megabyte);
     expectError(path, "not a readable glTF file");
 }
@@ -106,14 +106,14 @@ TEST(GltfImages, RequiredExtensionIsNamedFirst) {
 
 TEST(GltfImages, ExtensionOfFileMayBeUppercase) {
     const std::filesystem::path path = squareWith("upper", {kPng}, R"("textures":[{"source":0}])");
-    const std::filesystem::path upper = std::filesystem::path(testing::TempDir()) / "UPPER.GLB";
+    const std::filesystem::path upper = scratchFolder() / "UPPER.GLB";
     std::filesystem::rename(path, upper);
     EXPECT_EQ(loadScene(upper.string()).textures.size(), 1u);
 }
 
 // Sizes of chunks are not trusted, and nested values do not exhaust the stack.
 TEST(GltfImages, ContainerIsChecked) {
-    const std::filesystem::path folder(testing::TempDir());
+    const std::filesystem::path& folder = scratchFolder();
     const std::filesystem::path path = squareWith("chunks", {kPng}, R"("textures":[{"source":0}])");
     std::ifstream in(path, std::ios::binary);
     const std::string whole(std::istreambuf_iterator<char>(in), {});

@@ -257,7 +257,7 @@ TEST(Gltf, DeeplyNestedNodesDoNotExhaustTheStack) {
 }
 
 TEST(GltfErrors, MissingOrMalformedFile) {
-    const std::filesystem::path folder(testing::TempDir());
+    const std::filesystem::path& folder = scratchFolder();
     expectError(folder / "absent.gltf", "no such file");
     GltfFile::write(folder / "empty.gltf", "");
     expectError(folder / "empty.gltf", "not a readable glTF file");
@@ -298,8 +298,8 @@ TEST(GltfErrors, IndicesOutOfRange) {
 }
 
 TEST(GltfErrors, DataBeyondTheBuffer) {
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "beyond.gltf";
-    GltfFile::write(std::filesystem::path(testing::TempDir()) / "beyond.bin", std::string(64, '\0'));
+    const std::filesystem::path path = scratchFolder() / "beyond.gltf";
+    GltfFile::write(scratchFolder() / "beyond.bin", std::string(64, '\0'));
     const auto write = [&](const std::string& view, const std::string& accessor, const std::string& rest) {
         GltfFile::write(path, R"({"asset":{"version":"2.0"},"buffers":[{"uri":"beyond.bin","byteLength":64}],)"
                               R"("bufferViews":[{"buffer":0,)" +
