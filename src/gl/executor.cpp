@@ -309,8 +309,13 @@ AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
     AgaaSceneFacts facts;
     checkFrame(frame, facts);
     context.requireAlive();
-    checkContextState();
-    outputFormat_ = checkTarget(frame, glFrame);
+    try {
+        checkContextState();
+        outputFormat_ = checkTarget(frame, glFrame);
+    } catch (...) {
+        context.requireAlive(); // queries of a context that was lost meanwhile leave values of a wrong object
+        throw;
+    }
     const uint32_t slot = sequence.slotOf(frame);
     const Variant& variant = variantOf(frame);
     HostState state(context); // if it throws, no pass has run
