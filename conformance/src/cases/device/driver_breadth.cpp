@@ -1,5 +1,5 @@
-// Drivers with fewer features: every tier that agaaQueryCapabilities lists renders a frame, and other views are refused
-// with a reason.
+// Drivers with fewer features: every tier that agaaQueryCapabilities lists renders a frame, other views are refused
+// with a reason, and no tier is missing that the lesser driver could run.
 #include "cases.h"
 #include "frame_rig.h"
 #include "gl_interposer.h"
@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <set>
+#include <utility>
 
 namespace agaa::conformance {
 
@@ -18,6 +20,9 @@ struct Counts {
 };
 
 bool needs(const AgaaCapability& row, const char* what) { return std::strstr(row.reason, what); }
+
+// What a driver with all features runs: techniques with tiers of generation.
+using Tiers = std::set<std::pair<std::string, uint32_t>>;
 
 // The tiers of one context.
 class Breadth {
@@ -31,6 +36,16 @@ public:
     Counts runAll() { return run(techniques(test_), true); }
     // Renders with three techniques, which have all kinds of passes, and with their automatic tiers or with each tier.
     Counts runSome(bool hasAllTiers) { return run({"msaa", "agaa", "dcaa"}, hasAllTiers); }
+
+    Tiers tiers() {
+        Tiers found;
+        for (const std::string& technique : techniques(test_))
+            if (unsupportedReason(test_, technique).empty())
+                for (const AgaaCapability& row : rowsOf(technique))
+                    if (row.tier != AGAA_TIER_AUTO)
+                        found.insert({technique, row.tier});
+        return found;
+    }
 
 private:
     Counts run(const std::vector<std::string>& names, bool hasAllTiers) {
@@ -190,14 +205,20 @@ struct LesserDriver {
 struct Removal {
     const char* what;
     void (*remove)(LesserDriver&);
+    std::vector<uint32_t> needing = {}; // tiers that need what is removed
 };
-constexpr Removal removals[] = {
+const Removal removals[] = {
     {"all features", [](LesserDriver&) {}},
     {"no order of attachment accesses",
-     [](LesserDriver& d) { d.remove(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME); }},
+     [](LesserDriver& d) { d.remove(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME); },
+     {AGAA_TIER_RASTER_ORDER}},
     {"no conditional rendering", [](LesserDriver& d) { d.remove(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME); }},
-    {"no interlock", [](LesserDriver& d) { d.remove(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME); }},
-    {"no post-depth coverage", [](LesserDriver& d) { d.remove(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME); }},
+    {"no interlock",
+     [](LesserDriver& d) { d.remove(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME); },
+     {AGAA_TIER_FRAGMENT_INTERLOCK}},
+    {"no post-depth coverage",
+     [](LesserDriver& d) { d.remove(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME); },
+     {AGAA_TIER_POST_DEPTH_ATOMICS}},
     {"no dynamic rendering",
      [](LesserDriver& d) {
          d.remove(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME);
@@ -205,30 +226,43 @@ constexpr Removal removals[] = {
      }},
     {"no D24S8", [](LesserDriver& d) { d.withoutFormats.insert(VK_FORMAT_D24_UNORM_S8_UINT); }},
     {"no D32S8", [](LesserDriver& d) { d.withoutFormats.insert(VK_FORMAT_D32_SFLOAT_S8_UINT); }},
-    {"the least limits", [](LesserDriver& d) { d.hasLeastLimits = true; }},
+    {"the least limits", [](LesserDriver& d) { d.hasLeastLimits = true; }, {AGAA_TIER_RASTER_ORDER}},
     {"one sample", [](LesserDriver& d) { d.samples = VK_SAMPLE_COUNT_1_BIT; }},
     {"no geometry shaders: the minimum", [](LesserDriver& d) { d.features.features.geometryShader = VK_FALSE; }},
     {"no sample rate shading, which is required",
-     [](LesserDriver& d) { d.features.features.sampleRateShading = VK_FALSE; }},
+     [](LesserDriver& d) { d.features.features.sampleRateShading = VK_FALSE; },
+     {AGAA_TIER_PER_SAMPLE}},
     {"no atomics in fragments, which are required",
-     [](LesserDriver& d) { d.features.features.fragmentStoresAndAtomics = VK_FALSE; }}};
+     [](LesserDriver& d) { d.features.features.fragmentStoresAndAtomics = VK_FALSE; },
+     {AGAA_TIER_PER_SAMPLE, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_RASTER_ORDER}}};
 
 // Features are removed one after the other. The first driver and the minimum run all techniques, the others some.
 // isAlone: each driver lacks one feature only.
 void testLesserDrivers(Test& test, bool isAlone) {
     const std::unique_ptr<Device> device = makeVulkanDevice(test.sdk, test.device().deviceName(), true);
     runOn(test, *device, [&](Test& inner) {
+        Tiers all;
         for (const Removal& last : removals) {
             LesserDriver driver(*device);
+            std::set<uint32_t> needing;
             for (const Removal& removal : removals) {
-                if (!isAlone || &removal == &last)
+                if (!isAlone || &removal == &last) {
                     removal.remove(driver);
+                    needing.insert(removal.needing.begin(), removal.needing.end());
+                }
                 if (&removal == &last)
                     break;
             }
             ScopedContext context(inner, [&](ContextDescription& d) { driver.use(d); });
             const bool isEnd = std::strstr(last.what, "all") || std::strstr(last.what, "minimum");
             Breadth breadth(inner, context, last.what);
+            const Tiers left = breadth.tiers();
+            if (all.empty())
+                all = left;
+            for (const auto& [technique, tier] : all)
+                inner.check(left.count({technique, tier}) || needing.count(tier),
+                            std::string(last.what) + ": \"" + technique + "\" lacks the tier " +
+                                inner.sdk.agaaTierName(tier) + ", which does not need what is missing.");
             print(inner, last.what, isEnd && !isAlone ? breadth.runAll() : breadth.runSome(isAlone));
         }
     });

@@ -200,6 +200,10 @@ void addFaultCases(Suite& suite) {
     add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY", Backend::Vulkan, testPrepare, outOfDeviceMemory);
     add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY/vulkan_host_memory", Backend::Vulkan, testPrepare,
         outOfHostMemory);
+    add("agaaPrepareVariants/AGAA_ERROR_DEVICE/opengl", Backend::OpenGl, testPrepare, failure);
+    add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY/opengl", Backend::OpenGl, testPrepare, outOfMemory);
+    add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY/no_object", Backend::OpenGl, testPrepare,
+        {0, AGAA_ERROR_OUT_OF_MEMORY});
     suite.add("agaaVkCreateView/AGAA_ERROR_OUT_OF_MEMORY/techniques", {Backend::Vulkan}, [=](Test& test) {
         testTechniques(test, {outOfHostMemory, outOfDeviceMemory, deviceLost});
     });
