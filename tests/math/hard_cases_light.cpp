@@ -8,7 +8,7 @@ using namespace test_math;
 
 TEST(HardCase39_LightAtTheSurface, FiniteAtDistanceZero) {
     Random random(639);
-    HardCaseFigures figures(39, "relative error of the attenuation; error of the direction's length", 1e-5);
+    HardCaseFigures figures(39, "relative error of the attenuation; error of the direction's length", 1e-6);
     for (int i = 0; i < 100000; ++i) {
         const float distance = i % 4 ? float(random.decades(1e-3, 100)) : 0.0f;
         const glm::vec3 d = glm::vec3(random.direction()) * distance;
@@ -43,7 +43,7 @@ TEST(HardCase39_LightAtTheSurface, ExtremesAreFinite) {
 
 TEST(HardCase40_EqualSpotCones, StepWithoutNaN) {
     Random random(640);
-    HardCaseFigures figures(40, "error of the share of light", 1e-5);
+    HardCaseFigures figures(40, "error of the share of light", 1e-6);
     for (int i = 0; i < 100000; ++i) {
         const float outer = random.rangeF(-1, 1), inner = i % 2 ? outer : random.rangeF(outer, 1);
         const float x = i % 4 == 1 ? outer : random.rangeF(-1, 1);
