@@ -98,11 +98,11 @@ inline ViewSettings settingsFor(const ViewSpec& spec) {
     return resolveView(&view, techniques());
 }
 
-// Returns the bytes of lists with eight fragments for each pixel: counts, two words for each pixel, a word for each
+// Returns the bytes of lists with eight fragments for each pixel: counts, three words for each pixel, a word for each
 // tile of 8 by 8 pixels, and the fragments.
 inline uint64_t listBytes(const ViewSpec& spec, uint64_t bytesOfFragment) {
     const uint64_t tiles = uint64_t(spec.width + 7) / 8 * ((spec.height + 7) / 8);
-    return 64 + 4 * tiles + (8 + 8 * bytesOfFragment) * spec.width * spec.height;
+    return 64 + 4 * tiles + (12 + 8 * bytesOfFragment) * spec.width * spec.height;
 }
 
 inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) { return makePlan(settingsFor(spec), caps, 2); }

@@ -243,7 +243,7 @@ TEST(Planner, ListsFitAStorageBuffer) {
     EXPECT_LE(bytesOf(plan, "fragments"), caps.maxStorageRange);
     EXPECT_GT(bytesOf(plan, "fragments"), caps.maxStorageRange - 64);
     EXPECT_TRUE(std::any_of(plan.notes.begin(), plan.notes.end(), [](const std::string& note) {
-        return note.find("lists: room for 2.8 fragments a pixel") != std::string::npos;
+        return note.find("lists: room for 2.6 fragments a pixel") != std::string::npos;
     }));
     caps.maxStorageRange = UINT64_C(32) << 20;
     EXPECT_THROW(planFor(spec, caps), Error);

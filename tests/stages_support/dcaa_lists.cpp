@@ -78,8 +78,8 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
     for (uint32_t p = 0; p < pixels; ++p) {
         std::vector<uint32_t>& list = kept.lists.emplace_back();
         for (uint32_t at = fragments.empty() ? 0 : fragments[countWords + p]; at != 0;) {
-            const uint32_t record =
-                countWords + pixels + (at - 1) * (AGAA_FRAGMENT_MASK_AT + masks + buffers.payloadWords);
+            const uint32_t record = countWords + AGAA_LIST_PIXEL_WORDS * pixels +
+                                    (at - 1) * (AGAA_FRAGMENT_MASK_AT + masks + buffers.payloadWords);
             list.push_back(fragments[record]);
             at = fragments[record + AGAA_FRAGMENT_NEXT_AT];
         }

@@ -23,7 +23,8 @@ struct FragmentWords {
         const size_t length = AGAA_FRAGMENT_MASK_AT + plan.view.samples / 32 + plan.payloadWords;
         for (size_t p = 0; p < pixels.size(); ++p)
             for (uint32_t at = buffer[countWords + p]; at != 0; ++count) {
-                const auto record = buffer.begin() + ptrdiff_t(countWords + pixels.size() + (at - 1) * length);
+                const auto record =
+                    buffer.begin() + ptrdiff_t(countWords + AGAA_LIST_PIXEL_WORDS * pixels.size() + (at - 1) * length);
                 pixels[p].push_back(record[0]);
                 pixels[p].insert(pixels[p].end(), record + AGAA_FRAGMENT_DEPTH_AT, record + ptrdiff_t(length));
                 at = record[AGAA_FRAGMENT_NEXT_AT];

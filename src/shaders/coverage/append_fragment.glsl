@@ -43,6 +43,21 @@ bool agaa_isInBatch(uvec2 pixel, uint batch, agaa_DepthPlane plane, uvec4 mask) 
 // Returns whether the draw is the first one of the frame, which counts all fragments.
 bool agaa_isFirstDraw() { return AGAA_HAS_BATCHES == 0 || agaa_readFragments(AGAA_LIST_BATCH) == 0u; }
 
+#if AGAA_DRAW_ORDER == 0
+// Returns whether a fragment that covers its pixel hides this one. If this one covers the pixel, it hides what is behind
+// it from now on. Which hidden fragments are kept depends on the order of calls; passes that merge fragments remove the
+// others by the final bound (coverage/hidden_fragments.glsl).
+bool agaa_isHidden(uvec2 pixel, agaa_DepthPlane plane, uvec4 mask) {
+    agaa_DepthPlane growing = agaa_growingDepth(plane);
+    uint word = agaa_boundOf(pixel, agaa_frame.size);
+    if (agaa_coverageCount(mask) == AGAA_SAMPLES)
+        agaa_raiseFragments(word, ~agaa_orderedBits(growing.range.y));
+    // Lists widen the range of depths by up to 1.2 times the plane's change across the pixel.
+    float nearest = growing.range.x - 1.25 * (abs(growing.slope.x) + abs(growing.slope.y));
+    return agaa_orderedBits(nearest) > ~agaa_readFragments(word);
+}
+#endif
+
 // Returns the record of the fragment, or 0 if the lists do not keep it.
 uint agaa_appendFragment(uvec2 pixel, uint id, uvec4 mask, agaa_DepthPlane plane) {
     const uvec2 size = agaa_frame.size;
@@ -55,9 +70,13 @@ uint agaa_appendFragment(uvec2 pixel, uint id, uvec4 mask, agaa_DepthPlane plane
     else if (!agaa_isInBatch(pixel, batch, plane, mask))
         return 0u;
 #endif
-    uint index = agaa_addToFragments(AGAA_LIST_COUNT, 1u);
     if (isFirstDraw)
         agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
+#if AGAA_DRAW_ORDER == 0
+    if (agaa_isHidden(pixel, plane, mask))
+        return 0u;
+#endif
+    uint index = agaa_addToFragments(AGAA_LIST_COUNT, 1u);
     if (index >= agaa_listCapacity()) {
         // If the scene is drawn again, a further draw has room.
         if (AGAA_HAS_BATCHES == 0 || !isFirstDraw)

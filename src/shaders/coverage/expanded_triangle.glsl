@@ -15,6 +15,7 @@ uint agaa_readFragments(uint word) { return agaa_fragments.words[word]; }
 uint agaa_addToFragments(uint word, uint amount) { return atomicAdd(agaa_fragments.words[word], amount); }
 uint agaa_exchangeFragments(uint word, uint value) { return atomicExchange(agaa_fragments.words[word], value); }
 uint agaa_lowerFragments(uint word, uint value) { return atomicMin(agaa_fragments.words[word], value); }
+uint agaa_raiseFragments(uint word, uint value) { return atomicMax(agaa_fragments.words[word], value); }
 void agaa_setFragments(uint word, uint value) { agaa_fragments.words[word] = value; }
 uint agaa_listCapacity() { return agaa_frame.fragmentCapacity; }
 void agaa_countFragment(uint counter, uint amount) { agaa_count(counter, amount); }

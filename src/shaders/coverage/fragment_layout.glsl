@@ -1,5 +1,5 @@
-// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, words for each tile of 8 by 8
-// pixels and for each pixel if the scene may be drawn again, then the fragments. Needs AGAA_SAMPLES, which
+// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, the depth bound of each pixel, words
+// for each tile of 8 by 8 pixels and for each pixel if the scene may be drawn again, then the fragments. Needs AGAA_SAMPLES, which
 // common/constants.glsl has.
 // Includers that read or write fragments define AGAA_PAYLOAD_WORDS, which is 0 by default.
 //
@@ -7,6 +7,9 @@
 // AGAA_PAYLOAD_WORDS further words. Fragments are numbered from 1. The number 0 ends a list. The depth is that at the
 // centroid of the covered samples, as agaa_orderedBits() of a depth that increases away from the eye; it is 0 for all
 // fragments if the draws decide the order.
+//
+// Depth bound: a fragment that covers all samples of its pixel hides fragments behind all of its depths. The word is ~d,
+// where d is agaa_orderedBits() of the least depth that is known to hide; it is 0 before the first such fragment.
 //
 // Batches: the first draw of the scene counts the fragments of each tile. If all of them have room, it is the only
 // draw. Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.
@@ -32,22 +35,27 @@ uint agaa_headOf(uvec2 pixel, uvec2 size) { return AGAA_LIST_HEADS + pixel.y * s
 
 uvec2 agaa_tilesOf(uvec2 size) { return (size + 7u) / 8u; }
 
+// Returns the index of the word of a pixel's depth bound.
+uint agaa_boundOf(uvec2 pixel, uvec2 size) { return agaa_headOf(pixel, size) + size.x * size.y; }
+
+// Returns the index of the first word behind those that all pixels have.
+uint agaa_pixelWordsEnd(uvec2 size) { return AGAA_LIST_HEADS + AGAA_LIST_PIXEL_WORDS * size.x * size.y; }
+
 // Returns the index of a tile's word: the number of its fragments during the first draw, then the draw that keeps them.
 uint agaa_tileOf(uvec2 pixel, uvec2 size) {
-    return AGAA_LIST_HEADS + size.x * size.y + pixel.y / 8u * agaa_tilesOf(size).x + pixel.x / 8u;
+    return agaa_pixelWordsEnd(size) + pixel.y / 8u * agaa_tilesOf(size).x + pixel.x / 8u;
 }
 
 // Returns the index of a pixel's word, ~d if the draw after AGAA_LIST_LIMITING keeps the fragments of a depth below d.
 uint agaa_limitOf(uvec2 pixel, uvec2 size) {
     uvec2 tiles = agaa_tilesOf(size);
-    return AGAA_LIST_HEADS + size.x * size.y + tiles.x * tiles.y + pixel.y * size.x + pixel.x;
+    return agaa_pixelWordsEnd(size) + tiles.x * tiles.y + pixel.y * size.x + pixel.x;
 }
 
 uint agaa_recordOf(uint fragment, uvec2 size, bool hasBatches) {
     uvec2 tiles = agaa_tilesOf(size);
-    uint pixels = size.x * size.y;
-    uint forBatches = hasBatches ? tiles.x * tiles.y + pixels : 0u;
-    return AGAA_LIST_HEADS + pixels + forBatches + (fragment - 1u) * AGAA_FRAGMENT_WORDS;
+    uint forBatches = hasBatches ? tiles.x * tiles.y + size.x * size.y : 0u;
+    return agaa_pixelWordsEnd(size) + forBatches + (fragment - 1u) * AGAA_FRAGMENT_WORDS;
 }
 
 // Returns the index of the first of nearest + 1 words, the least depths of a pixel of a limited tile, in ascending

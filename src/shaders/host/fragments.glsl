@@ -13,6 +13,7 @@ uint agaa_readFragments(uint word) { return imageLoad(agaa_fragments, int(word))
 uint agaa_addToFragments(uint word, uint amount) { return imageAtomicAdd(agaa_fragments, int(word), amount); }
 uint agaa_exchangeFragments(uint word, uint value) { return imageAtomicExchange(agaa_fragments, int(word), value); }
 uint agaa_lowerFragments(uint word, uint value) { return imageAtomicMin(agaa_fragments, int(word), value); }
+uint agaa_raiseFragments(uint word, uint value) { return imageAtomicMax(agaa_fragments, int(word), value); }
 void agaa_setFragments(uint word, uint value) { imageStore(agaa_fragments, int(word), uvec4(value)); }
 #else
 layout(std430, AGAA_BINDING_FRAGMENTS) buffer agaa_FragmentBlock {
@@ -22,6 +23,7 @@ uint agaa_readFragments(uint word) { return agaa_fragments.words[word]; }
 uint agaa_addToFragments(uint word, uint amount) { return atomicAdd(agaa_fragments.words[word], amount); }
 uint agaa_exchangeFragments(uint word, uint value) { return atomicExchange(agaa_fragments.words[word], value); }
 uint agaa_lowerFragments(uint word, uint value) { return atomicMin(agaa_fragments.words[word], value); }
+uint agaa_raiseFragments(uint word, uint value) { return atomicMax(agaa_fragments.words[word], value); }
 void agaa_setFragments(uint word, uint value) { agaa_fragments.words[word] = value; }
 #endif
 uint agaa_listCapacity() { return agaa_fragmentCapacity(); }

@@ -64,7 +64,7 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     readPositions(config.samples, view);
 }
 
-// The buffer of lists has counts, then the first fragment of each pixel, then the fragments
+// The buffer of lists has counts, then words of each pixel, then the fragments
 // (src/shaders/coverage/fragment_layout.glsl).
 struct ListSizes {
     uint64_t heads; // words before the fragments
@@ -75,7 +75,8 @@ ListSizes listSizes(const PlanBuilder& b) {
     const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
     const uint64_t pixels = uint64_t(b.view().width) * b.view().height;
     const uint64_t forBatches = hasBatches(b.view()) ? tiles(b.view().width) * tiles(b.view().height) + pixels : 0;
-    return {AGAA_LIST_HEADS + pixels + forBatches, AGAA_FRAGMENT_MASK_AT + b.view().samples / 32 + b.plan.payloadWords};
+    return {AGAA_LIST_HEADS + AGAA_LIST_PIXEL_WORDS * pixels + forBatches,
+            AGAA_FRAGMENT_MASK_AT + b.view().samples / 32 + b.plan.payloadWords};
 }
 
 ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
