@@ -135,7 +135,7 @@ void addHardScenesOptions(CLI::App& app, HardScenesArguments& a) {
     app.add_option("--spp", a.spp, "samples per pixel of references, at most")->check(CLI::Range(2u, 65536u));
     app.add_option("--covering", a.covering, "number of configurations for each pair of a technique and a scene")
         ->check(CLI::Range(1u, 1000u));
-    app.add_option("--part", a.part, "K/N: the K-th of N parts of the selected scenes");
+    app.add_option("--part", a.part, "K/N: the K-th of N parts of the configurations of each scene");
     app.add_flag("--list", a.list, "list the frames and their bounds");
 }
 

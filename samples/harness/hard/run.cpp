@@ -115,6 +115,18 @@ std::string acceptanceBeyond(Renderer& renderer, RenderSettings settings) {
     return "A view of " + std::to_string(settings.width) + " pixels is created.";
 }
 
+// Returns every parts-th job of each frame. Neighbouring frames begin with different jobs.
+std::vector<HardJob> partOf(const std::vector<HardJob>& jobs, uint32_t part, uint32_t parts) {
+    std::vector<HardJob> chosen;
+    size_t index = 0; // within the frame
+    for (size_t i = 0; i < jobs.size(); ++i) {
+        index = i > 0 && jobs[i].frame == jobs[i - 1].frame ? index + 1 : 0;
+        if ((index + jobs[i].frame) % parts == part)
+            chosen.push_back(jobs[i]);
+    }
+    return chosen;
+}
+
 class Runner {
 public:
     Runner(const MakeBackend& makeBackend, const HardOptions& options) : makeBackend_(makeBackend), options_(options) {}
@@ -123,7 +135,7 @@ public:
         std::vector<HardJob> jobs = planned(all);
         if (options_.perPair)
             jobs = coveringJobs(jobs, options_.perPair);
-        std::erase_if(jobs, [this](const HardJob& job) { return job.frame % options_.parts != options_.part; });
+        jobs = partOf(jobs, options_.part, options_.parts);
         for (size_t begin = 0; begin < jobs.size();) {
             size_t end = begin;
             while (end < jobs.size() && jobs[end].frame == jobs[begin].frame &&

@@ -45,7 +45,7 @@ struct HardResult {
 
 struct HardOptions {
     uint32_t perPair = 0;         // run coveringJobs() of the jobs that the SDK plans; 0: all
-    uint32_t part = 0, parts = 1; // of these, run every parts-th frame
+    uint32_t part = 0, parts = 1; // of these, run every parts-th job of each frame
     uint32_t spp = 0;             // samples per pixel of references, at most; 0: those of the frames
     std::function<void(const HardResult&)> report;
 };
