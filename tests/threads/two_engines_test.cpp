@@ -67,7 +67,8 @@ std::vector<std::vector<float>> imagesOf(const std::string& backend, bool backwa
     if (std::getenv("AGAA_ALL_TECHNIQUES"))
         for (const RenderSettings& settings :
              {settingsOf("agaa", 4, AGAA_TIER_IDS, scene), settingsOf("adaptive", 4, AGAA_TIER_AUTO, scene),
-              settingsOf("msaa", 4, AGAA_TIER_AUTO, scene)})
+              settingsOf("msaa", 4, AGAA_TIER_AUTO, scene), settingsOf("sbaa", 4, AGAA_TIER_AUTO, scene),
+              settingsOf("simple_complex", 4, AGAA_TIER_AUTO, scene)})
             list.push_back(settings);
     RendererOptions options;
     options.shadowMapSize = 64;
