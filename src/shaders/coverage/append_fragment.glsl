@@ -44,9 +44,9 @@ bool agaa_isInBatch(uvec2 pixel, uint batch, agaa_DepthPlane plane, uvec4 mask) 
 bool agaa_isFirstDraw() { return AGAA_HAS_BATCHES == 0 || agaa_readFragments(AGAA_LIST_BATCH) == 0u; }
 
 #if AGAA_DRAW_ORDER == 0
-// Returns whether a fragment that covers its pixel hides this one. If this one covers the pixel, it hides what is behind
-// it from now on. Which hidden fragments are kept depends on the order of calls; passes that merge fragments remove the
-// others by the final bound (coverage/hidden_fragments.glsl).
+// Returns whether a fragment that covers its pixel hides this one. If this one covers the pixel, it hides what is
+// behind it from now on. Which hidden fragments are kept depends on the order of calls; passes that merge fragments
+// remove the others by the final bound (coverage/hidden_fragments.glsl).
 bool agaa_isHidden(uvec2 pixel, agaa_DepthPlane plane, uvec4 mask) {
     agaa_DepthPlane growing = agaa_growingDepth(plane);
     uint word = agaa_boundOf(pixel, agaa_frame.size);

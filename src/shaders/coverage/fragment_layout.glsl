@@ -1,6 +1,6 @@
-// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, the depth bound of each pixel, words
-// for each tile of 8 by 8 pixels and for each pixel if the scene may be drawn again, then the fragments. Needs AGAA_SAMPLES, which
-// common/constants.glsl has.
+// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, the depth bound of each pixel,
+// words for each tile of 8 by 8 pixels and for each pixel if the scene may be drawn again, then the fragments. Needs
+// AGAA_SAMPLES, which common/constants.glsl has.
 // Includers that read or write fragments define AGAA_PAYLOAD_WORDS, which is 0 by default.
 //
 // A fragment has the id of its primitive, the next fragment of its pixel, its depth, its coverage, and
@@ -8,8 +8,8 @@
 // centroid of the covered samples, as agaa_orderedBits() of a depth that increases away from the eye; it is 0 for all
 // fragments if the draws decide the order.
 //
-// Depth bound: a fragment that covers all samples of its pixel hides fragments behind all of its depths. The word is ~d,
-// where d is agaa_orderedBits() of the least depth that is known to hide; it is 0 before the first such fragment.
+// Depth bound: a fragment that covers all samples of its pixel hides fragments behind all of its depths. The word is
+// ~d, where d is agaa_orderedBits() of the least depth that is known to hide; it is 0 before the first such fragment.
 //
 // Batches: the first draw of the scene counts the fragments of each tile. If all of them have room, it is the only
 // draw. Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.

@@ -9,8 +9,8 @@
 #endif
 #include "math/ordered_bits.glsl"
 
-// Returns whether a fragment behind the pixel's depth bound has this least depth. The bound is final, so that the result
-// does not depend on the order in which fragments were appended.
+// Returns whether a fragment with this least depth is behind the pixel's depth bound. The bound is final, so that the
+// result does not depend on the order in which fragments were appended.
 bool agaa_isBehindBound(uvec2 pixel, float nearest) {
     return agaa_orderedBits(nearest) > ~agaa_fragments.words[agaa_boundOf(pixel, agaa_frame.size)];
 }

@@ -21,7 +21,7 @@ struct Counts {
 
 bool needs(const AgaaCapability& row, const char* what) { return std::strstr(row.reason, what); }
 
-// What a driver with all features runs: techniques with tiers of generation.
+// The techniques that a driver runs, each with one of its tiers of generation.
 using Tiers = std::set<std::pair<std::string, uint32_t>>;
 
 // The tiers of one context.
