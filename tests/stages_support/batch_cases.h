@@ -3,6 +3,8 @@
 
 #include "fragments_cases.h"
 
+#include "shaders/tables/layouts.inc"
+
 namespace agaa::test {
 
 struct ListedView {
@@ -155,7 +157,34 @@ TYPED_TEST_P(BatchCases, TimesOfPassesLeaveOutThePassesBetween) {
     EXPECT_LT(timeOf("divide tiles"), 0.5 * timeOf("fragments"));
 }
 
-REGISTER_TYPED_TEST_SUITE_P(BatchCases, DefaultsLoseNothingInAnyTier, TooFewDrawsKeepTheNearest,
-                            ATileWithoutRoomKeepsTheNearest, LossIsLoggedOnce, TimesOfPassesLeaveOutThePassesBetween);
+// Returns the number of fragments that a frame appends to its lists.
+template <class Host>
+uint32_t listedFragments(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
+    settings.config.flags |= AGAA_CONFIG_READBACK;
+    settings.config.coverage.fragmentsPerPixel = 8;
+    settings.config.coverage.maxBatches = 1; // the count is of one draw
+    return showBy<Host>(context, settings, shot,
+                        [](typename Host::View& view) { return view.readBuffer("fragments")[AGAA_LIST_COUNT]; });
+}
+
+// Each of five layers covers all pixels. From front to back, the first one hides the others before they are listed.
+// Case 35 compares images.
+TYPED_TEST_P(BatchCases, FragmentsBehindOneThatCoversAreNotListed) {
+    const uint32_t pixels = 48 * 32;
+    Shot farthestFirst{.triangles = layersOver(48, 32, 5)}, nearestFirst = farthestFirst;
+    std::ranges::reverse(nearestFirst.triangles);
+    for (auto& [name, settings] : listedViews(48, 32)) {
+        SCOPED_TRACE(name);
+        EXPECT_EQ(listedFragments<TypeParam>(this->context, settings, farthestFirst), 5 * pixels);
+        EXPECT_EQ(listedFragments<TypeParam>(this->context, settings, nearestFirst), pixels);
+    }
+    ViewSettings inDrawOrder = listedViews(48, 32)[0].settings;
+    inDrawOrder.config.coverage.flags |= AGAA_COVERAGE_DRAW_ORDER;
+    EXPECT_EQ(listedFragments<TypeParam>(this->context, inDrawOrder, nearestFirst), 5 * pixels);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(BatchCases, FragmentsBehindOneThatCoversAreNotListed, DefaultsLoseNothingInAnyTier,
+                            TooFewDrawsKeepTheNearest, ATileWithoutRoomKeepsTheNearest, LossIsLoggedOnce,
+                            TimesOfPassesLeaveOutThePassesBetween);
 
 } // namespace agaa::test
