@@ -236,7 +236,8 @@ TYPED_TEST_P(CoverageCases, AlphaThatIsNoNumberInAPixelIsZeroThere) {
     }
 }
 
-TYPED_TEST_P(CoverageCases, AlphaThatIsNoNumberCoversNothing) {
+// Fragments without a sample are in no aggregate, list or surface.
+TYPED_TEST_P(CoverageCases, HardCase28AlphaThatIsNoNumberCoversNothing) {
     for (const CoverageSetting& s : coverageSettings) {
         if (s.n != 8 || !this->renders(s))
             continue;
@@ -248,6 +249,6 @@ TYPED_TEST_P(CoverageCases, AlphaThatIsNoNumberCoversNothing) {
 
 REGISTER_TYPED_TEST_SUITE_P(CoverageCases, CutoutsAreTestedAtEachSample, FourPointsFollowThinStems,
                             TwoTranslucentLayersCoverThreeQuarters, DitherFramesSelectTheSamplesOfTranslucentSurfaces,
-                            AlphaThatIsNoNumberInAPixelIsZeroThere, AlphaThatIsNoNumberCoversNothing);
+                            AlphaThatIsNoNumberInAPixelIsZeroThere, HardCase28AlphaThatIsNoNumberCoversNothing);
 
 } // namespace agaa::test

@@ -286,6 +286,31 @@ TYPED_TEST_P(HardGeometryCases, HardCase25CoplanarDrawsOfMsaaShowTheFirst) {
     }
 }
 
+// Strips of a third of a pixel lie behind a wall and fall by a third of the view's depth. Their planes are in front of
+// the wall at the other samples of the pixel.
+TYPED_TEST_P(HardGeometryCases, HardCase45EdgeOnStripsStayBehindAWall) {
+    const std::vector<Triangle> wall = rectangle(-5, -5, 40, 20, 5, facing({0.25f, 0.5f, 0.75f}));
+    std::vector<Triangle> scene;
+    for (int column = 0; column < 32; ++column) {
+        const float left = float(column) + 0.02f * float(column), width = column % 2 ? 0.3f : -0.3f;
+        std::vector<Triangle> strip = rectangle(left, 0, left + 0.3f, 16, 6, facing({1, 1, 1}));
+        for (Triangle& t : strip)
+            for (glm::vec3& corner : t.position)
+                corner.z = (corner.x > left + 0.15f) == (width > 0) ? -9.0f : -5.5f;
+        scene.insert(scene.end(), strip.begin(), strip.end());
+    }
+    scene.insert(scene.end(), wall.begin(), wall.end());
+    for (const Setting& s : {Setting{"ssaa", 8},
+                             {"agaa", 8, AGAA_TIER_IDS},
+                             {"agaa", 64, AGAA_TIER_FRAGMENTS},
+                             {"dcaa", 64, AGAA_TIER_FRAGMENT_LISTS},
+                             {"dcaa", 64, AGAA_TIER_MATERIAL_LISTS}}) {
+        const Shown alone = this->render(pixelView(s), wall, {sun()});
+        const Shown both = this->render(pixelView(s), scene, {sun()});
+        EXPECT_EQ(both.rgb, alone.rgb) << s;
+    }
+}
+
 // A sheet of triangles hides walls that are seen edge-on, whose depths change by the whole range within a pixel, and a
 // plane. Walls must not merge with the sheet, and nothing may leak at the edges of its triangles.
 TYPED_TEST_P(HardGeometryCases, HardCase46And52NothingLeaksThroughASheet) {
@@ -412,7 +437,8 @@ REGISTER_TYPED_TEST_SUITE_P(HardGeometryCases, HardCase18AnEmptyFrameIsTheBackgr
                             HardCase17SurfacesPutAtTheFarPlaneAreBackground, HardCase19OneCoveredSampleIsThatSample,
                             HardCase48And50DegenerateTriangles, HardCase48SliversCountOnce,
                             HardCase25RoutedDuplicatesCountOnce, HardCase25CoplanarDrawsOfMsaaShowTheFirst,
-                            HardCase46And52NothingLeaksThroughASheet, HardCase61StripsOfAFractionOfAPixelCrossAPlane,
-                            HardCase35OrderOfDrawsChangesNoSum, HardCase55OddSizesAreWhole);
+                            HardCase45EdgeOnStripsStayBehindAWall, HardCase46And52NothingLeaksThroughASheet,
+                            HardCase61StripsOfAFractionOfAPixelCrossAPlane, HardCase35OrderOfDrawsChangesNoSum,
+                            HardCase55OddSizesAreWhole);
 
 } // namespace agaa::test

@@ -129,6 +129,38 @@ TYPED_TEST_P(HardMaterialCases, HardCase39And40LightsInSurfaces) {
     }
 }
 
+// A scene and its lamp at several scales, with the intensity of the lamp that leaves radiance as it is.
+TYPED_TEST_P(HardMaterialCases, HardCase66ScenesOfAnyScale) {
+    for (const Setting& s : hardSettings) {
+        if (!this->renders(s) || s.n == 1)
+            continue;
+        std::vector<float> expected;
+        for (const float scale : {1.0f, 1e-6f, 1e6f}) {
+            ViewSettings view = pixelView(s);
+            view.projection = glm::scale(view.projection, glm::vec3(1 / scale));
+            std::vector<Triangle> plane = rectangle(0, 0, 32, 16, 5, facing({1, 1, 1}));
+            for (Triangle& t : plane)
+                for (glm::vec3& corner : t.position)
+                    corner *= scale;
+            AgaaLight lamp{};
+            lamp.type = AGAA_LIGHT_POINT;
+            lamp.shadowMap = AGAA_NO_SHADOW;
+            lamp.position[0] = 16 * scale;
+            lamp.position[1] = 8 * scale;
+            lamp.position[2] = -4 * scale;
+            lamp.range = 100 * scale;
+            lamp.radius = 0.1f * scale;
+            lamp.color[0] = lamp.color[1] = lamp.color[2] = scale * scale;
+            const Shown r = this->render(view, plane, {lamp});
+            if (expected.empty())
+                expected = r.rgb;
+            EXPECT_GT(r.rgb[3 * (8 * 32 + 16)], 0.1f) << s;
+            for (size_t i = 0; i < expected.size(); ++i)
+                ASSERT_NEAR(r.rgb[i], expected[i], 1e-3f * expected[i] + 1e-6f) << s << " at scale " << scale;
+        }
+    }
+}
+
 // Effects that the scene does not need are not evaluated: a reflectance of 0 has no Fresnel term at grazing angles.
 TYPED_TEST_P(HardMaterialCases, WithoutSpecularLightIsDiffuse) {
     const float far = std::sin(1.396263f), near = std::cos(1.396263f); // of 80 degrees, to the eye and to the light
@@ -270,7 +302,7 @@ TYPED_TEST_P(HardMaterialCases, ShadowTapsDoNotMoveTheShading) {
 
 REGISTER_TYPED_TEST_SUITE_P(HardMaterialCases, HardCase32ADarkRampSurvives, HardCase33WhiteStaysWhite,
                             HardCase37BadMaterialsAreContained, HardCase4OpposedNormalsCancel,
-                            HardCase39And40LightsInSurfaces, WithoutSpecularLightIsDiffuse,
+                            HardCase39And40LightsInSurfaces, HardCase66ScenesOfAnyScale, WithoutSpecularLightIsDiffuse,
                             NormalsWithoutADirectionFaceAlongZ, MirrorsAlongAnAxisKeepTheirPeak,
                             LightsInThePlaneOfASurfaceDoNotReachIt, BrightEmissionKeepsItsHue,
                             FoldedAggregatesInMemoryHaveNoFilteredDiffuse, ShadowTapsDoNotMoveTheShading);
