@@ -52,8 +52,10 @@ bool agaa_isHidden(uvec2 pixel, agaa_DepthPlane plane, uvec4 mask) {
     uint word = agaa_boundOf(pixel, agaa_frame.size);
     if (agaa_coverageCount(mask) == AGAA_SAMPLES)
         agaa_raiseFragments(word, ~agaa_orderedBits(growing.range.y));
-    // Lists widen the range of depths by up to 1.2 times the plane's change across the pixel.
-    float nearest = growing.range.x - 1.25 * (abs(growing.slope.x) + abs(growing.slope.y));
+    // Lists widen the range of depths by up to 1.2 times the plane's change across the pixel, and fetched positions may
+    // be rounded in another way than those of the host's shaders.
+    float slack = abs(growing.range.x) * 9.5367e-7; // 2^-20, as in agaa_mergeRules()
+    float nearest = growing.range.x - 1.25 * (abs(growing.slope.x) + abs(growing.slope.y)) - slack;
     return agaa_orderedBits(nearest) > ~agaa_readFragments(word);
 }
 #endif
