@@ -74,8 +74,9 @@ struct ListSizes {
 ListSizes listSizes(const PlanBuilder& b) {
     const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
     const uint64_t pixels = uint64_t(b.view().width) * b.view().height;
-    const uint64_t forBatches = hasBatches(b.view()) ? tiles(b.view().width) * tiles(b.view().height) + pixels : 0;
-    return {AGAA_LIST_HEADS + AGAA_LIST_PIXEL_WORDS * pixels + forBatches,
+    const uint64_t wordsOfPixels = checkedMultiply(pixels, AGAA_LIST_PIXEL_WORDS + (hasBatches(b.view()) ? 1 : 0));
+    const uint64_t wordsOfTiles = hasBatches(b.view()) ? tiles(b.view().width) * tiles(b.view().height) : 0;
+    return {checkedAdd(AGAA_LIST_HEADS + wordsOfTiles, wordsOfPixels),
             AGAA_FRAGMENT_MASK_AT + b.view().samples / 32 + b.plan.payloadWords};
 }
 
@@ -85,7 +86,7 @@ ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
     const uint64_t maxWords = b.caps().maxStorageRange / 4;
     const uint64_t forFragments = maxWords > sizes.heads ? maxWords - sizes.heads : 0;
     const uint64_t maxFragments = std::min<uint64_t>(forFragments / sizes.words, 0x7FFFFFFF / sizes.words);
-    b.plan.fragmentCapacity = std::min<uint64_t>(std::max<uint64_t>(uint64_t(wanted), 65536), maxFragments);
+    b.plan.fragmentCapacity = uint64_t(std::min(std::max(wanted, 65536.0), double(maxFragments)));
     if (b.plan.fragmentCapacity < pixels)
         fail(AGAA_ERROR_TOO_LARGE,
              format("lists of fragments need room for a fragment a pixel; one storage buffer of the device "
