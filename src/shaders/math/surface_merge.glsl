@@ -99,11 +99,11 @@ real agaa_centreDepth(agaa_CoveredSurface s) {
     return clamp(s.plane.x, range.x, range.y);
 }
 
-// Returns the overlap of the depths of two surfaces; a negative value is their distance.
+// Returns the overlap of two intervals; a negative value is their distance.
+real agaa_intervalOverlap(rvec2 a, rvec2 b) { return min(a.y, b.y) - max(a.x, b.x); }
+
 real agaa_depthOverlap(agaa_CoveredSurface a, agaa_CoveredSurface b) {
-    const rvec2 x = agaa_depthInterval(a);
-    const rvec2 y = agaa_depthInterval(b);
-    return min(x.y, y.y) - max(x.x, y.x);
+    return agaa_intervalOverlap(agaa_depthInterval(a), agaa_depthInterval(b));
 }
 
 // Merges b into a by weights, whose sum is above 0. Depths are averaged only if they overlap. Returns the share of b
@@ -213,43 +213,63 @@ uint agaa_findOverlapping(uint i, uint count, real slack) {
     return best;
 }
 
-// Returns the best merge target of surface i, of `count` surfaces, 2 or more: the one with the closest normal among
-// those whose depths overlap, otherwise the nearest in depth.
-uint agaa_findMergeTarget(uint i, uint count) {
-    uint best = AGAA_NO_SURFACE;
+// The merge of a surface into its target.
+struct agaa_KeptMerge {
+    uint from;
+    uint into;
+    uvec4 visible; // samples that show the surface
+    real cost;     // weighted by the number of these samples
+};
+
+// Returns the merge of surface i, of `count` surfaces, 2 or more, into the one with the closest normal among those
+// whose depths overlap, otherwise into the nearest in depth. The weights of a difference in depth, and of each sample,
+// come from measurement.
+agaa_KeptMerge agaa_mergeOf(uint i, uint count) {
+    const agaa_CoveredSurface s = agaa_keptAt(i);
+    const rvec2 interval = agaa_depthInterval(s);
+    const real centre = agaa_centreDepth(s);
+    agaa_KeptMerge merge = agaa_KeptMerge(i, AGAA_NO_SURFACE, s.mask, real(0.0));
     bool bestOverlaps = false;
     real highest = real(0.0);
+    real cosine = real(0.0);
     for (uint k = 0u; k < count; ++k) {
-        const real overlap = agaa_depthOverlap(agaa_keptAt(k), agaa_keptAt(i));
+        const agaa_CoveredSurface other = agaa_keptAt(k);
+        const real overlap = agaa_intervalOverlap(agaa_depthInterval(other), interval);
+        const real alignment = dot(other.normal, s.normal);
         const bool overlaps = overlap >= real(0.0);
-        const real rank = overlaps ? dot(agaa_keptAt(k).normal, agaa_keptAt(i).normal) : overlap;
-        if (k != i && (best == AGAA_NO_SURFACE || (overlaps && !bestOverlaps) ||
+        const real rank = overlaps ? alignment : overlap;
+        if (k != i && (merge.into == AGAA_NO_SURFACE || (overlaps && !bestOverlaps) ||
                        (overlaps == bestOverlaps && rank > highest))) {
-            best = k;
+            merge.into = k;
             bestOverlaps = overlaps;
             highest = rank;
+            cosine = alignment;
         }
+        const real depth = agaa_centreDepth(other);
+        if (k != i && (depth < centre || (depth == centre && k < i)))
+            merge.visible = merge.visible & ~other.mask;
     }
-    return best;
+    const real apart = bestOverlaps ? real(0.0) : real(0.5);
+    merge.cost = real(agaa_coverageCount(merge.visible)) * (real(1.1) - cosine + apart);
+    return merge;
 }
 
-// Returns the surface with the cheapest merge into its target. The cost is the number of its visible samples times the
-// difference of both surfaces. The weights of a difference in depth, and of each sample, come from measurement. The
-// last one wins ties.
-uint agaa_findCheapest(uint count) {
-    uint cheapest = 0u;
-    real lowest = real(0.0);
-    for (uint i = 0u; i < count; ++i) {
-        const uint target = agaa_findMergeTarget(i, count);
-        const real apart = agaa_depthOverlap(agaa_keptAt(i), agaa_keptAt(target)) >= real(0.0) ? real(0.0) : real(0.5);
-        const real unlike = real(1.1) - dot(agaa_keptAt(i).normal, agaa_keptAt(target).normal) + apart;
-        const real cost = real(agaa_coverageCount(agaa_visibleOf(i, count))) * unlike;
-        if (i == 0u || cost <= lowest) {
-            cheapest = i;
-            lowest = cost;
-        }
+// Returns the cheapest merge of `count` surfaces. The last one wins ties.
+agaa_KeptMerge agaa_cheapestMerge(uint count) {
+    agaa_KeptMerge cheapest = agaa_mergeOf(0u, count);
+    for (uint i = 1u; i < count; ++i) {
+        const agaa_KeptMerge merge = agaa_mergeOf(i, count);
+        if (merge.cost <= cheapest.cost)
+            cheapest = merge;
     }
     return cheapest;
+}
+
+// Returns the merge of the surface with the fewest visible samples, as the paper has it.
+agaa_KeptMerge agaa_paperMerge(uint count, agaa_MergeRules rules) {
+    const uint least = agaa_findLeast(count);
+    const uint into = rules.rule == AGAA_RULE_NONE ? AGAA_NO_SURFACE : agaa_findOverlapping(least, count, rules.slack);
+    return agaa_KeptMerge(least, into, agaa_visibleOf(least, count), real(0.0));
 }
 
 // Inserts the fragment agaa_keptAt(rules.limit) into a full pixel.
@@ -258,14 +278,16 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     done.isSecond = true;
     const uint count = rules.limit + 1u;
     const bool byCost = rules.rule == AGAA_RULE_VISIBLE;
-    const uint least = byCost ? agaa_findCheapest(count) : agaa_findLeast(count);
-    const uvec4 visible = agaa_visibleOf(least, count);
-    const uvec4 moving = byCost ? visible : agaa_keptAt(least).mask;
-    uint target = AGAA_NO_SURFACE;
-    if (rules.rule != AGAA_RULE_NONE && agaa_coverageCount(moving) != 0u)
-        target = byCost ? agaa_findMergeTarget(least, count) : agaa_findOverlapping(least, count, rules.slack);
+    agaa_KeptMerge merge;
+    if (byCost)
+        merge = agaa_cheapestMerge(count);
+    else
+        merge = agaa_paperMerge(count, rules);
+    const uint least = merge.from;
+    const uvec4 moving = byCost ? merge.visible : agaa_keptAt(least).mask;
+    const uint target = agaa_coverageCount(moving) != 0u ? merge.into : AGAA_NO_SURFACE;
     if (target == AGAA_NO_SURFACE) {
-        done.lost = agaa_coverageCount(visible);
+        done.lost = agaa_coverageCount(merge.visible);
     } else {
         done.hasMerged = true;
         const uvec4 targetMask = byCost ? agaa_visibleOf(target, count) : agaa_keptAt(target).mask;
@@ -299,15 +321,15 @@ agaa_Insertion agaa_insertSurface(agaa_CoveredSurface s, agaa_MergeRules rules) 
                                             agaa_coverageCount(s.mask), rules.slack);
         done.share = merged.x;
         done.shareLength = merged.y;
-        return done;
-    }
-    if (agaa_keptCount < rules.limit) {
+    } else if (agaa_keptCount < rules.limit) {
         done.to = agaa_keptCount;
         agaa_keep(agaa_keptCount, s);
         agaa_keptCount = agaa_keptCount + 1u;
-        return done;
+    } else {
+        agaa_keep(rules.limit, s);
     }
-    agaa_keep(rules.limit, s);
-    return agaa_insertInFull(rules);
+    if (done.to == AGAA_NO_SURFACE)
+        done = agaa_insertInFull(rules);
+    return done;
 }
 #endif
