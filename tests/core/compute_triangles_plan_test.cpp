@@ -72,10 +72,13 @@ void expectExpanded(const Plan& plan) {
     }
     const Resource* const buffer = find(plan, "triangles");
     ASSERT_NE(buffer, nullptr);
-    EXPECT_EQ(AGAA_TRIANGLE_SUMS, 16u);
-    EXPECT_EQ(buffer->bytes, 4 * (16 + draws + 2 * triangles));
-    for (const size_t i : {1, 3})
-        EXPECT_EQ(&plan.resources[plan.passes[first + i].compute().dispatch.arguments], buffer);
+    EXPECT_EQ(AGAA_TRIANGLE_SUMS, 8u);
+    EXPECT_EQ(buffer->bytes, 4 * (8 + draws + 2 * triangles));
+    const auto argumentsOf = [&](size_t i) {
+        return &plan.resources[plan.passes[first + i].compute().dispatch.arguments];
+    };
+    EXPECT_EQ(argumentsOf(1), find(plan, "fragments")) << "empty once no draw is left";
+    EXPECT_EQ(argumentsOf(3), buffer);
     EXPECT_TRUE(std::ranges::any_of(plan.notes, [](const std::string& note) {
         return note.find("AgaaFetchFunction::maxTriangles") != std::string::npos;
     }));
@@ -191,7 +194,7 @@ TEST(ComputeTriangles, WrongMembersAreRefused) {
 // Each triangle takes 8 bytes of one buffer.
 TEST(ComputeTriangles, ListsFitAStorageBuffer) {
     AgaaDeviceCaps caps = fourSampleDevice();
-    const uint32_t words = uint32_t(caps.maxStorageRange / 4), most = (words - 16 - draws) / 2;
+    const uint32_t words = uint32_t(caps.maxStorageRange / 4), most = (words - AGAA_TRIANGLE_SUMS - draws) / 2;
     AgaaFetchFunction fetch = expandingFetch(most);
     const ViewSpec spec = specOf("dcaa", AGAA_TIER_FRAGMENT_LISTS, fetch);
     std::string message;
@@ -201,7 +204,8 @@ TEST(ComputeTriangles, ListsFitAStorageBuffer) {
         EXPECT_EQ(refusal(spec, caps, message), AGAA_ERROR_TOO_LARGE);
         EXPECT_NE(message.find("AgaaFetchFunction::maxTriangles is " + std::to_string(tooMany)), std::string::npos)
             << message;
-        EXPECT_NE(message.find(std::to_string(4 * (16 + draws + 2 * uint64_t(tooMany))) + " bytes"), std::string::npos)
+        EXPECT_NE(message.find(std::to_string(4 * (AGAA_TRIANGLE_SUMS + draws + 2 * uint64_t(tooMany))) + " bytes"),
+                  std::string::npos)
             << message;
         EXPECT_NE(message.find(std::to_string(caps.maxStorageRange)), std::string::npos) << message;
         EXPECT_EQ(message.back(), '.');

@@ -11,6 +11,7 @@ layout(local_size_x = 64) in;
 #include "math/light.glsl"
 #include "ids/fetch.glsl"
 #include "coverage/triangle_words.glsl"
+#include "coverage/fragment_words.glsl"
 
 shared uint agaa_shareSums[64]; // of the draws of each lane
 
@@ -47,7 +48,9 @@ void main() {
         agaa_triangles.words[AGAA_TRIANGLES_TOTAL] = total;
         agaa_triangles.words[AGAA_LARGE_COUNT] = 0u;
         agaa_triangles.words[AGAA_LARGE_AT] = AGAA_TRIANGLE_SUMS + AGAA_MAX_DRAWS;
-        agaa_setDispatch(AGAA_TRIANGLES_DISPATCH, (total + 63u) / 64u);
+        uvec3 groups = agaa_groupsInRows((total + 63u) / 64u);
+        for (uint i = 0u; i < 3u; ++i)
+            agaa_fragments.words[AGAA_LIST_TRIANGLE_GROUPS + i] = groups[i];
     }
     agaa_countEnd();
 }

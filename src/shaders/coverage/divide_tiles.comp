@@ -85,6 +85,9 @@ void main() {
         agaa_lastNumber = agaa_isLimiting ? min(last, agaa_frame.maxBatches - 4u) : last;
         agaa_fragments.words[AGAA_LIST_BATCHES] = 1u + last;
         agaa_fragments.words[AGAA_LIST_FINISHED] = isEnough ? 1u : 0u;
+        uvec3 groups = uvec3(tiles, 1u);
+        for (uint i = 0u; i < 3u; ++i)
+            agaa_fragments.words[AGAA_LIST_TILE_GROUPS + i] = groups[i];
     }
     barrier();
     agaa_TileBatch batch = agaa_starts[lane];

@@ -29,7 +29,9 @@ void main() {
         agaa_triangles.words[at] = agaa_saturatingSum(before, agaa_triangles.words[at]);
     }
     if (lane == 63u) {
-        agaa_setDispatch(AGAA_LARGE_DISPATCH, agaa_saturatingSum(before, sum));
+        uvec3 groups = agaa_groupsInRows(agaa_saturatingSum(before, sum));
+        for (uint i = 0u; i < 3u; ++i)
+            agaa_triangles.words[AGAA_LARGE_DISPATCH + i] = groups[i];
         agaa_triangles.words[AGAA_LARGE_LISTED] = count;
         agaa_triangles.words[AGAA_LARGE_COUNT] = 0u; // for the next draw
     }

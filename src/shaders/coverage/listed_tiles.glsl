@@ -17,10 +17,7 @@ bool agaa_isTileListed() {
 }
 
 void agaa_countDraw() {
-    if (gl_WorkGroupID.xy != uvec2(0u) || gl_LocalInvocationIndex != 0u)
-        return;
-    uint batch = agaa_hasBatches() ? agaa_fragments.words[AGAA_LIST_BATCH] : 0u;
-    if (batch == 0u || batch < agaa_fragments.words[AGAA_LIST_BATCHES])
+    if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u)
         agaa_count(AGAA_COUNT_BATCHES, 1u);
 }
 

@@ -16,5 +16,10 @@ void main() {
     uint next = agaa_fragments.words[AGAA_LIST_BATCH] + 1u;
     agaa_fragments.words[AGAA_LIST_COUNT] = 0u;
     agaa_fragments.words[AGAA_LIST_BATCH] = next;
-    agaa_fragments.words[AGAA_LIST_FINISHED] = next < agaa_fragments.words[AGAA_LIST_BATCHES] ? 0u : 1u;
+    bool isFinished = next >= agaa_fragments.words[AGAA_LIST_BATCHES];
+    agaa_fragments.words[AGAA_LIST_FINISHED] = isFinished ? 1u : 0u;
+    for (uint i = 0u; i < 3u && isFinished; ++i) {
+        agaa_fragments.words[AGAA_LIST_TILE_GROUPS + i] = 0u;
+        agaa_fragments.words[AGAA_LIST_TRIANGLE_GROUPS + i] = 0u;
+    }
 }

@@ -14,11 +14,9 @@ layout(std430, AGAA_BINDING_TRIANGLES) buffer agaa_TriangleBlock {
 // Returns the index of the first word of an entry in the list of large triangles.
 uint agaa_largeAt(uint entry) { return agaa_triangles.words[AGAA_LARGE_AT] + AGAA_LARGE_WORDS * entry; }
 
-// Sets three words to a dispatch of groups in rows of AGAA_GROUPS_PER_ROW.
-void agaa_setDispatch(uint at, uint groups) {
-    agaa_triangles.words[at] = min(groups, AGAA_GROUPS_PER_ROW);
-    agaa_triangles.words[at + 1u] = (groups + AGAA_GROUPS_PER_ROW - 1u) / AGAA_GROUPS_PER_ROW;
-    agaa_triangles.words[at + 2u] = 1u;
+// Returns a dispatch of groups in rows of AGAA_GROUPS_PER_ROW.
+uvec3 agaa_groupsInRows(uint groups) {
+    return uvec3(min(groups, AGAA_GROUPS_PER_ROW), (groups + AGAA_GROUPS_PER_ROW - 1u) / AGAA_GROUPS_PER_ROW, 1u);
 }
 
 // Returns the number of the workgroup in such a dispatch.

@@ -56,6 +56,7 @@ void shadeFromFragments(PlanBuilder& b) {
     Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_fragments", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     lists.bind(b, shade);
+    lists.dispatchTiles(b, shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
     lists.finish(b);

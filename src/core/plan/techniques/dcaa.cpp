@@ -62,6 +62,7 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
         lists.bindAlone(b, pass);
     else
         lists.bind(b, pass);
+    lists.dispatchTiles(b, pass);
     setRecord(pass, surfaces);
 }
 

@@ -120,12 +120,18 @@ ResourceId makeCoverageTable(PlanBuilder& b, uint64_t segment) {
     return table;
 }
 
+Dispatch dispatchOf(ResourceId buffer, uint32_t word) {
+    return {.kind = DispatchKind::Indirect, .arguments = buffer, .argumentsOffset = 4 * word};
+}
+
+const Dispatch oneGroup = {.kind = DispatchKind::Items, .items = 1};
+
 // Adds a pass of one workgroup that decides which fragments a draw of the scene processes.
 void addBatchPass(PlanBuilder& b, const char* name, const char* shader, const FragmentLists& lists) {
     Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, b.plan.passes[lists.firstPass].segment);
     b.bindCommon(pass);
     lists.bindAlone(b, pass);
-    pass.compute().dispatch = {.kind = DispatchKind::Items, .items = 1};
+    pass.compute().dispatch = oneGroup;
 }
 
 } // namespace
@@ -161,14 +167,10 @@ ResourceId makeTriangles(PlanBuilder& b) {
     return b.itemBuffer("triangles", words, 4);
 }
 
-// Adds a pass of the expansion. argumentsAt: the word of its indirect dispatch among the triangles; 0: one workgroup.
-Pass& addExpansion(PlanBuilder& b, const char* name, const char* shader, ResourceId triangles, uint32_t argumentsAt,
+Pass& addExpansion(PlanBuilder& b, const char* name, const char* shader, ResourceId triangles, const Dispatch& dispatch,
                    uint64_t segment) {
     Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, segment);
-    pass.compute().dispatch = {.kind = DispatchKind::Items, .items = 1};
-    if (argumentsAt)
-        pass.compute().dispatch = {
-            .kind = DispatchKind::Indirect, .arguments = triangles, .argumentsOffset = 4 * argumentsAt};
+    pass.compute().dispatch = dispatch;
     b.bind(pass, slot::Triangles, BindingType::StorageBuffer, triangles, true);
     return pass;
 }
@@ -189,18 +191,20 @@ void bindTriangleFetch(PlanBuilder& b, Pass& pass) {
 void expandTriangles(PlanBuilder& b, FragmentLists& lists, uint64_t segment) {
     const ResourceId table = b.view().coveragePositions.empty() ? noResource : makeCoverageTable(b, segment);
     const ResourceId triangles = makeTriangles(b);
-    bindTriangleFetch(b, addExpansion(b, "count triangles", "count_triangles", triangles, 0, segment));
+    Pass& count = addExpansion(b, "count triangles", "count_triangles", triangles, oneGroup, segment);
+    bindTriangleFetch(b, count);
+    lists.bindAlone(b, count);
     lists.firstPass = uint32_t(b.plan.passes.size());
-    const auto append = [&](const char* name, const char* shader, uint32_t argumentsAt) {
-        Pass& pass = addExpansion(b, name, shader, triangles, argumentsAt, segment);
+    const auto append = [&](const char* name, const char* shader, const Dispatch& dispatch) {
+        Pass& pass = addExpansion(b, name, shader, triangles, dispatch, segment);
         bindTriangleFetch(b, pass);
         lists.bindAlone(b, pass);
         if (table != noResource)
             b.bind(pass, slot::CoverageTable, BindingType::Texture, table);
     };
-    append("expand triangles", "expand_triangles", AGAA_TRIANGLES_DISPATCH);
-    addExpansion(b, "list large triangles", "list_large", triangles, 0, segment);
-    append("expand large triangles", "expand_large", AGAA_LARGE_DISPATCH);
+    append("expand triangles", "expand_triangles", dispatchOf(lists.buffer, AGAA_LIST_TRIANGLE_GROUPS));
+    addExpansion(b, "list large triangles", "list_large", triangles, oneGroup, segment);
+    append("expand large triangles", "expand_large", dispatchOf(triangles, AGAA_LARGE_DISPATCH));
     b.note("triangles: compute passes fetch and expand them (AgaaFetchFunction::maxTriangles).");
 }
 
@@ -230,6 +234,11 @@ void FragmentLists::finish(PlanBuilder& b) const {
                                   4 * AGAA_LIST_FINISHED});
     }
     b.readListCounts(buffer);
+}
+
+void FragmentLists::dispatchTiles(const PlanBuilder& b, Pass& pass) const {
+    if (hasBatches(b.view()))
+        pass.compute().dispatch = dispatchOf(buffer, AGAA_LIST_TILE_GROUPS);
 }
 
 void FragmentLists::bind(PlanBuilder& b, Pass& pass) const {

@@ -14,6 +14,8 @@ struct FragmentLists {
 
     void bind(PlanBuilder& b, Pass& pass) const; // binds the host's fetch function, too
     void bindAlone(PlanBuilder& b, Pass& pass) const;
+    // Lets a pass with a workgroup for each tile run only while draws of the scene are needed.
+    void dispatchTiles(const PlanBuilder& b, Pass& pass) const;
     // Ends the passes that use the lists. A batch repeats all of them, so that they belong to the segment of the draw.
     void finish(PlanBuilder& b) const;
 };
