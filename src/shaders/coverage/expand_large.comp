@@ -14,9 +14,9 @@ layout(local_size_x = 64) in;
 #include "coverage/expanded_triangle.glsl"
 
 void agaa_expandBlock(uint entry, uint block) {
-    AgaaPrimitive p = agaa_primitive(agaa_triangles.words[agaa_largeAt(entry)]);
+    uint id = agaa_triangles.words[agaa_largeAt(entry)];
+    AgaaPrimitive p = agaa_primitive(id);
     agaa_Outline outline = agaa_outlineOf(p);
-    agaa_Corners corners = agaa_cornersOf(p);
     vec2 size = vec2(agaa_frame.size);
     agaa_Span rows = agaa_outlineRows(outline, size.y), columns = agaa_outlineColumns(outline, size.x);
     uvec2 first = uvec2(columns.first, rows.first), last = uvec2(columns.last, rows.last);
@@ -29,14 +29,14 @@ void agaa_expandBlock(uint entry, uint block) {
     span.first = max(span.first, float(first.x));
     span.last = min(span.last, float(first.x + AGAA_BLOCK_SIDE - 1u));
     for (float x = span.first; x <= span.last; x += 1.0)
-        agaa_expandPixel(agaa_triangles.words[agaa_largeAt(entry)], corners, uvec2(uint(x), y));
+        agaa_expandPixel(id, p, uvec2(uint(x), y));
 }
 
 void main() {
     uint block = agaa_groupInRows();
     uint entries = agaa_triangles.words[AGAA_LARGE_LISTED];
     uint entry = agaa_firstSumAbove(block, agaa_largeAt(0u) + 1u, entries, AGAA_LARGE_WORDS);
-    if (entry >= entries || agaa_isListingFinished())
+    if (entry >= entries)
         return;
     agaa_countBegin();
     agaa_expandBlock(entry, block - (entry == 0u ? 0u : agaa_triangles.words[agaa_largeAt(entry - 1u) + 1u]));

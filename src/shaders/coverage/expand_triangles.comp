@@ -1,6 +1,7 @@
 // Appends the fragments of triangles to the lists of pixels (Wang et al., I3D 2016, section 3.1), without a rasteriser.
-// Each lane fetches a triangle. The lanes of a workgroup then share the rows of pixels of its 64 triangles. Large
-// triangles are listed for expand_large.comp.
+// Each lane fetches a triangle. The lanes of a workgroup then share the rows of pixels of its 64 triangles, a number of
+// rows at a time, and the pixels of these rows, so that no lane waits for a longer row. Large triangles are listed for
+// expand_large.comp.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
@@ -26,6 +27,12 @@ shared uint agaa_sharedIds[64];
 shared uint agaa_firstRows[64];
 shared uint agaa_rowCounts[64];
 shared uint agaa_rowSums[64]; // of a triangle and those before it
+const uint agaa_rowsPerLane = 4u;
+const uint agaa_rowsAtATime = 64u * agaa_rowsPerLane;
+shared uint agaa_rowTriangles[agaa_rowsAtATime];
+shared uvec2 agaa_rowPixels[agaa_rowsAtATime]; // the first one
+shared uint agaa_pixelSums[agaa_rowsAtATime];  // of a row and those before it
+shared uint agaa_laneSums[64];
 
 void agaa_listLarge(uint id, uvec2 first, uvec2 last) {
     uvec2 blocks = (last - first) / AGAA_BLOCK_SIDE + 1u;
@@ -56,8 +63,7 @@ uint agaa_prepareTriangle(uint lane, uint t) {
         agaa_listLarge(id, first, last);
         return 0u;
     }
-    agaa_Corners corners = agaa_cornersOf(p);
-    agaa_sharedCorners[lane] = vec4[3](corners.a, corners.b, corners.c);
+    agaa_sharedCorners[lane] = vec4[3](p.a, p.b, p.c);
     agaa_sharedOutlines[lane] = outline.at;
     agaa_sharedCounts[lane] = outline.count;
     agaa_sharedHalfWidths[lane] = outline.halfWidth;
@@ -74,20 +80,49 @@ uint agaa_triangleOfRow(uint row) {
     return k;
 }
 
-void agaa_expandRow(uint row) {
+// Finds the pixels of a row, number i of those at hand. Returns their number.
+uint agaa_prepareRow(uint i, uint row) {
+    if (row >= agaa_rowSums[63])
+        return 0u;
     uint k = agaa_triangleOfRow(row);
     uint y = agaa_firstRows[k] + row - (agaa_rowSums[k] - agaa_rowCounts[k]);
     agaa_Outline outline = agaa_Outline(agaa_sharedOutlines[k], agaa_sharedCounts[k], agaa_sharedHalfWidths[k]);
     agaa_Span span = agaa_outlineSpan(outline, float(y), float(agaa_frame.size.x));
-    agaa_Corners corners =
-        agaa_Corners(agaa_sharedCorners[k][0], agaa_sharedCorners[k][1], agaa_sharedCorners[k][2]);
-    for (float x = span.first; x <= span.last; x += 1.0)
-        agaa_expandPixel(agaa_sharedIds[k], corners, uvec2(uint(x), y));
+    if (span.first > span.last)
+        return 0u;
+    agaa_rowTriangles[i] = k;
+    agaa_rowPixels[i] = uvec2(uint(span.first), y);
+    return uint(span.last) - uint(span.first) + 1u;
+}
+
+// Sets agaa_pixelSums for the rows from `first` on.
+void agaa_prepareRows(uint lane, uint first) {
+    uint sum = 0u;
+    for (uint i = lane * agaa_rowsPerLane; i < (lane + 1u) * agaa_rowsPerLane; ++i) {
+        sum += agaa_prepareRow(i, first + i);
+        agaa_pixelSums[i] = sum;
+    }
+    agaa_laneSums[lane] = sum;
+    barrier();
+    uint before = 0u;
+    for (uint k = 0u; k < lane; ++k)
+        before += agaa_laneSums[k];
+    for (uint i = lane * agaa_rowsPerLane; i < (lane + 1u) * agaa_rowsPerLane; ++i)
+        agaa_pixelSums[i] += before;
+    barrier();
+}
+
+void agaa_expandItem(uint item) {
+    uint i = 0u; // the first row whose sum is greater
+    for (uint size = agaa_rowsAtATime / 2u; size > 0u; size /= 2u)
+        i += agaa_pixelSums[i + size - 1u] <= item ? size : 0u;
+    uint before = i == 0u ? 0u : agaa_pixelSums[i - 1u];
+    uint k = agaa_rowTriangles[i];
+    uint id = agaa_sharedIds[k];
+    agaa_expandPixel(id, agaa_primitiveAt(id, agaa_sharedCorners[k]), agaa_rowPixels[i] + uvec2(item - before, 0u));
 }
 
 void main() {
-    if (agaa_isListingFinished())
-        return;
     agaa_countBegin();
     const uint lane = gl_LocalInvocationIndex;
     agaa_rowCounts[lane] = agaa_prepareTriangle(lane, agaa_groupInRows() * 64u + lane);
@@ -97,7 +132,11 @@ void main() {
         sum += agaa_rowCounts[k];
     agaa_rowSums[lane] = sum;
     barrier();
-    for (uint row = lane; row < agaa_rowSums[63]; row += 64u)
-        agaa_expandRow(row);
+    for (uint first = 0u; first < agaa_rowSums[63]; first += agaa_rowsAtATime) {
+        agaa_prepareRows(lane, first);
+        for (uint item = lane; item < agaa_pixelSums[agaa_rowsAtATime - 1u]; item += 64u)
+            agaa_expandItem(item);
+        barrier();
+    }
     agaa_countEnd();
 }

@@ -62,8 +62,7 @@ void agaa_countMask(float cutoff) {
 }
 
 // Returns those of the covered samples that alpha covers, too.
-uvec4 agaa_alphaSamples(uint id, uvec2 pixel, uvec4 covered) {
-    AgaaPrimitive p = agaa_primitive(id);
+uvec4 agaa_alphaSamples(AgaaPrimitive p, uvec2 pixel, uvec4 covered) {
     if (!agaa_drawOf(p.draw).isAlphaMasked)
         return covered;
     agaa_expandedPixel = pixel;
@@ -79,13 +78,14 @@ uvec4 agaa_alphaSamples(uint id, uvec2 pixel, uvec4 covered) {
 #endif
 
 // Appends the fragment of a triangle in a pixel, if it covers samples.
-void agaa_expandPixel(uint id, agaa_Corners corners, uvec2 pixel) {
+void agaa_expandPixel(uint id, AgaaPrimitive p, uvec2 pixel) {
+    agaa_Corners corners = agaa_cornersOf(p);
     vec2 centre = vec2(pixel) + 0.5;
     uvec4 mask = agaa_coveredSamples(corners.a.xyz, corners.b.xyz, corners.c.xyz, centre);
 #if AGAA_EXPANDS_MASKED
     // Software rasterisers execute both sides of a branch, but leave a loop.
     for (uint k = 0u; k < 1u && agaa_coverageCount(mask) != 0u; ++k)
-        mask = agaa_alphaSamples(id, pixel, mask);
+        mask = agaa_alphaSamples(p, pixel, mask);
 #endif
     if (agaa_coverageCount(mask) == 0u)
         return;
@@ -93,7 +93,4 @@ void agaa_expandPixel(uint id, agaa_Corners corners, uvec2 pixel) {
                                             vec3(corners.a.w, corners.b.w, corners.c.w), centre);
     agaa_appendFragment(pixel, id, mask, plane);
 }
-
-// Returns whether no draw of the scene is left.
-bool agaa_isListingFinished() { return agaa_hasBatches() && agaa_fragments.words[AGAA_LIST_FINISHED] != 0u; }
 #endif

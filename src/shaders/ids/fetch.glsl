@@ -12,11 +12,20 @@
 #include "math/triangle_coverage.glsl"
 #include "common/host_samples.glsl"
 
-AgaaPrimitive agaa_primitive(uint id) {
+// corners   In clip coordinates.
+AgaaPrimitive agaa_primitiveAt(uint id, vec4 corners[3]) {
     AgaaPrimitive p;
     p.draw = (id - 1u) >> AGAA_PRIMITIVE_BITS;
     p.primitive = id - 1u & (1u << AGAA_PRIMITIVE_BITS) - 1u;
-    p.a = p.b = p.c = vec4(0.0, 0.0, 0.0, 1.0);
+    p.a = corners[0];
+    p.b = corners[1];
+    p.c = corners[2];
+    return p;
+}
+
+AgaaPrimitive agaa_primitive(uint id) {
+    const vec4 unknown = vec4(0.0, 0.0, 0.0, 1.0);
+    AgaaPrimitive p = agaa_primitiveAt(id, vec4[3](unknown, unknown, unknown));
     agaaHostTriangle(p.draw, p.primitive, p.a, p.b, p.c);
     return p;
 }
