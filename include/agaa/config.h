@@ -267,6 +267,14 @@ typedef enum AgaaMerge {
  * order of the draws changes no pixel except at equal depths. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER merge in
  * the order of the draws with and without the flag. */
 #define AGAA_COVERAGE_DRAW_ORDER UINT64_C(0x02)
+/* The host draws the pass VISIBILITY first, with the largest number of samples of the device up to 8, depth only. Where
+ * its samples in a pixel and in the eight pixels around it show no background, fragments behind the farthest of them
+ * are dropped, and the fragments that stay count as if they covered the pixel (DCAA section 4.2). It is an
+ * approximation: what shows through a gap that these samples miss is lost. A view has 4 bytes more per sample of the
+ * prepass and pixel, and without EXACT 4 bytes per pixel. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER, and views
+ * whose triangles compute passes expand (AgaaFetchFunction::maxTriangles), fail with AGAA_ERROR_UNSUPPORTED. "agaa"
+ * does not use the flag. */
+#define AGAA_COVERAGE_DEPTH_PREPASS UINT64_C(0x04)
 
 /* Controls how "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and
  * RASTER_ORDER have no lists and use neither fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses

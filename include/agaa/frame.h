@@ -12,7 +12,7 @@ extern "C" {
 /* ---- host draw passes ----------------------------------------------------------------------- */
 
 typedef enum AgaaDrawPassId {
-    AGAA_DRAW_PASS_VISIBILITY = 1, /* depth, and geometric normals or, with the tier IDS, ids */
+    AGAA_DRAW_PASS_VISIBILITY = 1, /* depth alone, or with geometric normals or, with the tier IDS, ids */
     AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, added to aggregates or kept as surfaces; no colour output */
     AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
     AGAA_DRAW_PASS_FORWARD = 4,    /* materials, shaded in the fragment shader, into a multisampled colour target */

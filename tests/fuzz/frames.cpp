@@ -207,7 +207,7 @@ RenderSettings anySettings(fuzz::Choices& choices) {
         config.coverage.merge = uint32_t(choices.below(3));
         config.coverage.maxBatches = uint32_t(1 + choices.below(4));
         config.coverage.fragmentsPerPixel = 1 + 20 * unit(choices);
-        config.coverage.flags = choices.below(4); // AGAA_COVERAGE_EXACT and AGAA_COVERAGE_DRAW_ORDER
+        config.coverage.flags = choices.below(8); // AGAA_COVERAGE_…
     }
     if (choices.oneIn(3)) {
         config.adaptive.flags = choices.below(0x800);

@@ -206,8 +206,9 @@ Configuration::Configuration(const PlanArguments& arguments) {
         config.coverage.fragmentsPerPixel =
             finite(parseNumbers(arguments.fragmentsPerPixel, 1, "--fragments-per-pixel")[0], "--fragments-per-pixel");
     config.coverage.maxBatches = arguments.maxBatches;
-    config.coverage.flags =
-        (arguments.exact ? AGAA_COVERAGE_EXACT : 0) | (arguments.drawOrder ? AGAA_COVERAGE_DRAW_ORDER : 0);
+    config.coverage.flags = (arguments.exact ? AGAA_COVERAGE_EXACT : 0) |
+                            (arguments.drawOrder ? AGAA_COVERAGE_DRAW_ORDER : 0) |
+                            (arguments.depthPrepass ? AGAA_COVERAGE_DEPTH_PREPASS : 0);
     if (choice(arguments.coveragePattern, "--coverage-pattern", {{"library", 0}, {"r2", 1}}))
         config.coverage.samplePositions = quasirandomPositions().data();
     config.coverage.tableSize = arguments.tableSize;

@@ -62,6 +62,7 @@ struct PlanArguments {
     uint32_t maxBatches = 0;
     bool exact = false;
     bool drawOrder = false;
+    bool depthPrepass = false;
     std::string coveragePattern = "library";
     uint32_t tableSize = 0;
     AdaptiveArguments adaptive;

@@ -46,6 +46,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--max-batches", a.maxBatches, "draws of the scene where lists have too little room; 0: 16");
     app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
     app.add_flag("--draw-order", a.drawOrder, "lists of fragments keep the order of the draws");
+    app.add_flag("--depth-prepass", a.depthPrepass, "a depth prepass drops hidden fragments, approximately");
     app.add_option("--coverage-pattern", a.coveragePattern,
                    "positions of coverage samples: library, or r2 by a table of half-planes");
     app.add_option("--table-size", a.tableSize, "entries a side of the table of half-planes for r2; 0: 128");

@@ -6,6 +6,7 @@
 #include "core/glsl/glsl_text.h"
 #include "core/plan/gpu_layout.h"
 #include "core/plan/plan_builder.h"
+#include "core/plan/sample_patterns.h"
 #include "core/view/custom_glsl.h"
 #include "core/view/facts.h"
 
@@ -160,6 +161,16 @@ std::string facts(const Pass& pass) {
     return out;
 }
 
+// Frames have the positions of the view's samples only. OpenGL does not guarantee these; they place cut-outs.
+std::string ownSamplePositions(const Plan& plan, const Pass& pass) {
+    if (pass.draw().state.samples == plan.view.hwSamples)
+        return {};
+    std::string list;
+    for (const SamplePosition& at : standardPositions(pass.draw().state.samples))
+        list += format("%svec2(%s, %s)", list.empty() ? "" : ", ", glslNumber(at.x).c_str(), glslNumber(at.y).c_str());
+    return "#define AGAA_OWN_SAMPLE_POSITIONS " + list + "\n";
+}
+
 std::string defines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     std::string out;
     const Constants& c = pass.constants;
@@ -172,7 +183,8 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     defineSwitch(out, "AGAA_PASS", pass.draw().id);
     defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(pass));
     defineSwitch(out, "AGAA_SAMPLES", plan.view.samples);
-    defineSwitch(out, "AGAA_HW_SAMPLES", plan.view.hwSamples);
+    defineSwitch(out, "AGAA_HW_SAMPLES", pass.draw().state.samples);
+    out += ownSamplePositions(plan, pass);
     define(out, "AGAA_SCALE_X", plan.view.scaleX);
     define(out, "AGAA_SCALE_Y", plan.view.scaleY);
     defineSwitch(out, "AGAA_COUNTING", c[AGAA_COUNTERS]);
@@ -204,6 +216,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_TABLE_SIZE", c[AGAA_TABLE_SIZE]);
         defineSwitch(out, "AGAA_HAS_BATCHES", plan.view.coverage.maxBatches > 1);
         defineSwitch(out, "AGAA_DRAW_ORDER", (plan.view.coverage.flags & AGAA_COVERAGE_DRAW_ORDER) != 0);
+        defineSwitch(out, "AGAA_HAS_DEPTH_PREPASS", (plan.view.coverage.flags & AGAA_COVERAGE_DEPTH_PREPASS) != 0);
     }
     if (hasCorners && needsMaterial(pass)) {
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);

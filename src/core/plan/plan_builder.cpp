@@ -61,7 +61,7 @@ ResourceId PlanBuilder::image(std::string name, Format format, bool atTargetRate
     return add(std::move(r));
 }
 
-ResourceId PlanBuilder::modelSurface(std::string name, Format format, uint32_t samples) {
+ResourceId PlanBuilder::multisampledImage(std::string name, Format format, uint32_t samples) {
     const ResourceId id = image(std::move(name), format, false);
     plan.resources[id].samples = samples;
     plan.resources[id].bytes = checkedMultiply(plan.resources[id].bytes, samples);
@@ -96,7 +96,7 @@ ResourceId PlanBuilder::pixelBuffer(std::string name, uint64_t bytesPerPixel) {
     return add(std::move(r));
 }
 
-ResourceId PlanBuilder::depth(bool needsStencil) {
+ResourceId PlanBuilder::depth(bool needsStencil, uint32_t samples) {
     const bool d24 = caps_.flags & AGAA_DEVICE_D24S8;
     const bool d32s8 = caps_.flags & AGAA_DEVICE_D32S8;
     if (plan.view.reversedZ) {
@@ -110,7 +110,7 @@ ResourceId PlanBuilder::depth(bool needsStencil) {
         plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
         note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.", formatName(plan.depthFormat)));
     }
-    return image("depth", plan.depthFormat, true);
+    return samples ? multisampledImage("depth", plan.depthFormat, samples) : image("depth", plan.depthFormat, true);
 }
 
 Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment) {

@@ -36,10 +36,11 @@ public:
     ResourceId tileBuffer(std::string name, uint32_t side, uint64_t bytesPerTile);
     // Adds a buffer of a given number of records.
     ResourceId itemBuffer(std::string name, uint64_t items, uint64_t bytesPerItem);
-    ResourceId modelSurface(std::string name, Format format, uint32_t samples);
+    ResourceId multisampledImage(std::string name, Format format, uint32_t samples);
 
-    // Adds the depth target and chooses its format. needsStencil: the plan tests the stencil.
-    ResourceId depth(bool needsStencil);
+    // Adds the depth target and chooses its format. needsStencil: the plan tests the stencil. samples: of a texel, by
+    // default those of the target.
+    ResourceId depth(bool needsStencil, uint32_t samples = 0);
 
     Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
     // Adds a permutation of the shader. The view determines the switches that the caller does not set.

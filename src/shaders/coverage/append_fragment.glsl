@@ -1,11 +1,12 @@
 // Appends fragments to the lists of their pixels (coverage/fragment_layout.glsl). The includer defines the functions
 // that access words of the lists, agaa_listCapacity() and agaa_countFragment(counter, amount). Needs
-// AGAA_HAS_BATCHES, AGAA_DRAW_ORDER and common/frame.glsl.
+// AGAA_HAS_BATCHES, AGAA_DRAW_ORDER, AGAA_HAS_DEPTH_PREPASS and common/frame.glsl.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
 #ifndef AGAA_APPEND_FRAGMENT_GLSL
 #define AGAA_APPEND_FRAGMENT_GLSL
-#if !defined(AGAA_HAS_BATCHES) || !defined(AGAA_DRAW_ORDER) || !defined(AGAA_FRAME_GLSL)
-#error "append_fragment.glsl needs AGAA_HAS_BATCHES, AGAA_DRAW_ORDER and frame.glsl."
+#if !defined(AGAA_HAS_BATCHES) || !defined(AGAA_DRAW_ORDER) || !defined(AGAA_HAS_DEPTH_PREPASS) || \
+    !defined(AGAA_FRAME_GLSL)
+#error "append_fragment.glsl needs AGAA_HAS_BATCHES, AGAA_DRAW_ORDER, AGAA_HAS_DEPTH_PREPASS and frame.glsl."
 #endif
 #include "coverage/fragment_layout.glsl"
 #include "coverage/depth_order.glsl"
@@ -43,7 +44,20 @@ bool agaa_isInBatch(uvec2 pixel, uint batch, agaa_DepthPlane plane, uvec4 mask) 
 // Returns whether the draw is the first one of the frame, which counts all fragments.
 bool agaa_isFirstDraw() { return AGAA_HAS_BATCHES == 0 || agaa_readFragments(AGAA_LIST_BATCH) == 0u; }
 
-#if AGAA_DRAW_ORDER == 0
+// Depths increase away from the eye. Lists widen the range of depths by up to 1.2 times the plane's change across the
+// pixel, and fetched positions may be rounded in another way than those of the host's shaders.
+bool agaa_isBehind(agaa_DepthPlane growing, uint bound) {
+    float slack = abs(growing.range.x) * 9.5367e-7; // 2^-20, as in agaa_mergeRules()
+    float nearest = growing.range.x - 1.25 * (abs(growing.slope.x) + abs(growing.slope.y)) - slack;
+    return agaa_orderedBits(nearest) > ~bound;
+}
+
+#if AGAA_HAS_DEPTH_PREPASS
+// Returns whether the fragment is behind the depth bound of the prepass, which no fragment changes.
+bool agaa_isBehindPrepass(uvec2 pixel, agaa_DepthPlane plane) {
+    return agaa_isBehind(agaa_growingDepth(plane), agaa_readFragments(agaa_boundOf(pixel, agaa_frame.size)));
+}
+#elif AGAA_DRAW_ORDER == 0
 // Returns whether a fragment that covers its pixel hides this one. If this one covers the pixel, it hides what is
 // behind it from now on. Which hidden fragments are kept depends on the order of calls; passes that merge fragments
 // remove the others by the final bound (coverage/hidden_fragments.glsl).
@@ -52,11 +66,7 @@ bool agaa_isHidden(uvec2 pixel, agaa_DepthPlane plane, uvec4 mask) {
     uint word = agaa_boundOf(pixel, agaa_frame.size);
     if (agaa_coverageCount(mask) == AGAA_SAMPLES)
         agaa_raiseFragments(word, ~agaa_orderedBits(growing.range.y));
-    // Lists widen the range of depths by up to 1.2 times the plane's change across the pixel, and fetched positions may
-    // be rounded in another way than those of the host's shaders.
-    float slack = abs(growing.range.x) * 9.5367e-7; // 2^-20, as in agaa_mergeRules()
-    float nearest = growing.range.x - 1.25 * (abs(growing.slope.x) + abs(growing.slope.y)) - slack;
-    return agaa_orderedBits(nearest) > ~agaa_readFragments(word);
+    return agaa_isBehind(growing, agaa_readFragments(word));
 }
 #endif
 
@@ -64,6 +74,10 @@ bool agaa_isHidden(uvec2 pixel, agaa_DepthPlane plane, uvec4 mask) {
 uint agaa_appendFragment(uvec2 pixel, uint id, uvec4 mask, agaa_DepthPlane plane) {
     const uvec2 size = agaa_frame.size;
     bool isFirstDraw = true;
+#if AGAA_HAS_DEPTH_PREPASS
+    if (agaa_isBehindPrepass(pixel, plane))
+        return 0u;
+#endif
 #if AGAA_HAS_BATCHES
     uint batch = agaa_readFragments(AGAA_LIST_BATCH);
     isFirstDraw = batch == 0u;
@@ -74,7 +88,7 @@ uint agaa_appendFragment(uvec2 pixel, uint id, uvec4 mask, agaa_DepthPlane plane
 #endif
     if (isFirstDraw)
         agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
-#if AGAA_DRAW_ORDER == 0
+#if AGAA_DRAW_ORDER == 0 && !AGAA_HAS_DEPTH_PREPASS
     if (agaa_isHidden(pixel, plane, mask))
         return 0u;
 #endif

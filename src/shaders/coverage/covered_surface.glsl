@@ -40,6 +40,14 @@ uint agaa_surfaceBase(uvec2 pixel, uint a) {
 #endif
 }
 
+#if !AGAA_IN_TARGETS
+// Returns the index of a word behind all surfaces: the depth bound of the pixel, where AGAA_NORMALISES is set.
+uint agaa_boundOfSurfaces(uvec2 pixel) {
+    uvec2 size = agaa_frame.size;
+    return size.x * size.y * AGAA_AGGREGATES * AGAA_STRIDE + pixel.y * size.x + pixel.x;
+}
+#endif
+
 agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uint normal) {
     agaa_StoredPlane stored = agaa_StoredPlane(uintBitsToFloat(depth), slopes);
     return agaa_CoveredSurface(mask, agaa_storedPlane(stored),

@@ -10,6 +10,7 @@
 //
 // Depth bound: a fragment that covers all samples of its pixel hides fragments behind all of its depths. The word is
 // ~d, where d is agaa_orderedBits() of the least depth that is known to hide; it is 0 before the first such fragment.
+// With a depth prepass, coverage/bound_depths.comp sets the word alone; pixels whose word is not 0 count as covered.
 //
 // Batches: the first draw of the scene counts the fragments of each tile. If all of them have room, it is the only
 // draw. Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.

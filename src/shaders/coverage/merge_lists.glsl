@@ -42,6 +42,8 @@ void agaa_mergePixel(uvec2 pixel) {
         for (uint word = 0u; word < AGAA_MASK_WORDS && a >= agaa_keptCount; ++word)
             agaa_setSurfaces(base + word, 0u);
     }
+    if (AGAA_NORMALISES != 0u)
+        agaa_setSurfaces(agaa_boundOfSurfaces(pixel), agaa_fragments.words[agaa_boundOf(pixel, agaa_frame.size)]);
 }
 
 void main() {

@@ -39,6 +39,12 @@ void agaa_shadePixel(uvec2 pixel) {
     agaa_count(AGAA_COUNT_ONCE, covered);
     agaa_count(AGAA_COUNT_AGGREGATES, events);
     agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
+    bool isWhole = AGAA_NORMALISES != 0u && covered != 0u &&
+                   agaa_fragments.words[agaa_boundOf(pixel, agaa_frame.size)] != 0u;
+    if (isWhole) {
+        color *= float(AGAA_SAMPLES) / float(covered);
+        covered = AGAA_SAMPLES;
+    }
     if (AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_NONE)
         agaa_writeOutput(pixel, agaa_shownOfPixel(events, color / float(max(covered, 1u))), AGAA_SAMPLES);
     else

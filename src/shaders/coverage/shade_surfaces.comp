@@ -36,6 +36,16 @@ uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
 #include "coverage/surface_position.glsl"
 
 shared uvec4 agaa_shown[64u * AGAA_AGGREGATES]; // of each surface, the samples that show it
+shared float agaa_sampleWeights[64];            // of each pixel, where AGAA_NORMALISES is set
+
+// Returns whether the surfaces count as if they covered the pixel.
+bool agaa_isWhole(uvec2 pixel) {
+#if !AGAA_IN_TARGETS
+    if (AGAA_NORMALISES != 0u)
+        return agaa_readSurfaces(agaa_boundOfSurfaces(pixel)) != 0u;
+#endif
+    return false;
+}
 
 uvec4 agaa_loadMask(uint base) {
     uvec4 mask = uvec4(0u);
@@ -82,6 +92,9 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_count(AGAA_COUNT_ONCE, work.covered);
     agaa_count(AGAA_COUNT_AGGREGATES, agaa_eventsOf(work));
     agaa_count(AGAA_COUNT_PIXELS, work.events[0] != 0u ? 1u : 0u);
+    bool isWhole = work.covered != 0u && agaa_isWhole(pixel);
+    agaa_sampleWeights[gl_LocalInvocationIndex] = isWhole ? float(AGAA_SAMPLES) / float(work.covered) : 1.0;
+    work.covered = isWhole ? AGAA_SAMPLES : work.covered;
     return work;
 }
 
@@ -93,7 +106,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     agaa_DepthPlane plane = agaa_loadPlane(base, agaa_loadMask(base));
     vec3 position = agaa_surfacePosition(pixel, plane, agaa_coverageMiddle(mask, AGAA_SAMPLES));
     agaa_tapSurface(pixel, plane, mask, position);
-    float weight = float(agaa_coverageCount(mask));
+    float weight = float(agaa_coverageCount(mask)) * (AGAA_NORMALISES != 0u ? agaa_sampleWeights[lane] : 1.0);
     agaa_base = base + AGAA_MATERIAL_WORD;
     agaa_Means m = agaa_meansOfStored(agaa_storedMeans());
     agaa_Surface s =

@@ -1,9 +1,8 @@
 // Fragments pass: appends the coverage of each fragment, with the id of its primitive or its material, to the list of
-// its pixel. Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL, AGAA_HAS_BATCHES and AGAA_DRAW_ORDER.
+// its pixel. Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL, and what coverage/append_fragment.glsl needs.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
-#if !defined(AGAA_STORAGE_IMAGES) || !defined(AGAA_NEEDS_MATERIAL) || !defined(AGAA_HAS_BATCHES) || \
-    !defined(AGAA_DRAW_ORDER)
-#error "fragments.glsl needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL, AGAA_HAS_BATCHES and AGAA_DRAW_ORDER."
+#if !defined(AGAA_STORAGE_IMAGES) || !defined(AGAA_NEEDS_MATERIAL)
+#error "fragments.glsl needs AGAA_STORAGE_IMAGES and AGAA_NEEDS_MATERIAL."
 #endif
 #include "host/fragment_depth.glsl"
 

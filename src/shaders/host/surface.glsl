@@ -124,7 +124,12 @@ uint agaa_hostGroup() {
 // Returns the offset from the texel's centre to its sample i, in texels.
 vec2 agaa_sampleOffset(uint i) {
     uvec2 texel = uvec2(gl_FragCoord.xy) % uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+#ifdef AGAA_OWN_SAMPLE_POSITIONS // the samples of this pass are not those of the view
+    const vec2 positions[AGAA_HW_SAMPLES] = vec2[](AGAA_OWN_SAMPLE_POSITIONS);
+    vec2 position = positions[i];
+#else
     vec2 position = agaa_sampleLocation(agaa_hostGroup() * AGAA_HW_SAMPLES + i);
+#endif
     return position * vec2(AGAA_SCALE_X, AGAA_SCALE_Y) - vec2(texel) - 0.5;
 }
 

@@ -10,6 +10,7 @@
 #include "culling_cases.h"
 #include "facts_cases.h"
 #include "dcaa_cases.h"
+#include "depth_prepass_cases.h"
 #include "definition_cases.h"
 #include "fragments_cases.h"
 #include "debug_view_cases.h"
@@ -37,6 +38,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PlanCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DcaaCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FragmentsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, BatchCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DepthPrepassCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CarriedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PatternCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);

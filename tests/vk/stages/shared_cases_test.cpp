@@ -10,6 +10,7 @@
 #include "culling_cases.h"
 #include "facts_cases.h"
 #include "dcaa_cases.h"
+#include "depth_prepass_cases.h"
 #include "definition_cases.h"
 #include "fragments_cases.h"
 #include "debug_view_cases.h"
@@ -39,6 +40,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(VulkanUnconditional, PlanCases, VulkanUncondition
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DcaaCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FragmentsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, BatchCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DepthPrepassCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CarriedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PatternCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);

@@ -227,7 +227,7 @@ void addDecoupledCoverage(Suite& suite) {
     });
     addFlags(suite, {"AgaaDecoupledCoverage.flags/flags", "AgaaDecoupledCoverage::flags",
                      [](ViewParts& p, uint64_t flags) { p.coverage.flags = flags; },
-                     AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER, useDcaa});
+                     AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER | AGAA_COVERAGE_DEPTH_PREPASS, useDcaa});
 }
 
 // Tests "adaptive", and techniques that check the struct and do not use it.

@@ -409,6 +409,28 @@ void testExact(Test& test) {
                     {"AGAA_COVERAGE_EXACT and the tier RASTER_ORDER", unsupported, exact(AGAA_TIER_RASTER_ORDER), ""}});
 }
 
+// Only draws of the host have a depth prepass, and only lists drop fragments.
+void testDepthPrepass(Test& test) {
+    const auto prepass = [](uint32_t tier, uint32_t maxTriangles, uint64_t flags = AGAA_COVERAGE_DEPTH_PREPASS) {
+        return [=](ViewParts& p) {
+            p.setTechnique("dcaa", 4);
+            p.config.generationTier = tier;
+            p.sceneFetch.maxTriangles = maxTriangles;
+            p.coverage.flags = flags;
+        };
+    };
+    const std::string name = "AGAA_COVERAGE_DEPTH_PREPASS";
+    testRows(
+        test,
+        {{name, AGAA_OK, prepass(AGAA_TIER_AUTO, 0), ""},
+         {name + " and the tier MATERIAL_LISTS", AGAA_OK, prepass(AGAA_TIER_MATERIAL_LISTS, 0), ""},
+         {name + " and the tier FRAGMENT_INTERLOCK", unsupported, prepass(AGAA_TIER_FRAGMENT_INTERLOCK, 0), ""},
+         {name + " and the tier RASTER_ORDER", unsupported, prepass(AGAA_TIER_RASTER_ORDER, 0), ""},
+         {"maxTriangles", AGAA_OK, prepass(AGAA_TIER_AUTO, 1000, 0), ""},
+         {name + " and maxTriangles", unsupported, prepass(AGAA_TIER_AUTO, 1000), ""},
+         {name + ", maxTriangles and the tier MATERIAL_LISTS", AGAA_OK, prepass(AGAA_TIER_MATERIAL_LISTS, 1000), ""}});
+}
+
 // The tier FRAGMENTS of "agaa" groups and shades all fragments in one pass.
 void testFragmentsAtOnce(Test& test) {
     const auto fragments = [](uint64_t flags) {
@@ -482,6 +504,7 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_stage", testOtherStage);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_technique", testOtherTechnique);
     suite.core("AGAA_COVERAGE_EXACT/AGAA_ERROR_UNSUPPORTED", testExact);
+    suite.core("AGAA_COVERAGE_DEPTH_PREPASS/AGAA_ERROR_UNSUPPORTED", testDepthPrepass);
     suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
     suite.core("AgaaAdaptiveSampling.targetEvents/AGAA_ERROR_UNSUPPORTED", testTargets);
     suite.core("AGAA_ADAPTIVE_SORTED/AGAA_ERROR_TOO_LARGE", testSorted);

@@ -39,7 +39,7 @@ void buildNative(PlanBuilder& b) {
     const uint32_t slots = std::bit_ceil(b.view().aggregates); // no device has 3 samples
     uint64_t bytes = 0;
     const auto surface = [&](const std::string& name, Format format) {
-        b.modelSurface(name, format, slots);
+        b.multisampledImage(name, format, slots);
         bytes += bytesPerTexel(format);
     };
     for (const NativeSurface& native : packNativeAggregate(twoPassLayout(b.view().layout, b.view().facts.flags)))
@@ -68,6 +68,7 @@ void resolve(ResolvedView& view) {
     if (view.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
         view.config.surfaceCosine = 2.0f; // no two normals have it
     resolveBatches(view, view.generationTier == AGAA_TIER_FRAGMENTS);
+    view.coverage.flags &= ~AGAA_COVERAGE_DEPTH_PREPASS; // shading would have to normalise
     if (view.generationTier != AGAA_TIER_FRAGMENTS)
         return;
     require(!(view.config.flags & AGAA_CONFIG_BUFFERED), AGAA_ERROR_UNSUPPORTED,

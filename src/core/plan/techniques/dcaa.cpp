@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/names.h"
 #include "core/plan/techniques/aggregation.h"
+#include "core/plan/techniques/depth_bounds.h"
 #include "core/plan/techniques/fragment_lists.h"
 #include "core/plan/techniques/generation_tiers.h"
 #include "core/plan/techniques/techniques.h"
@@ -28,6 +29,7 @@ bool mergesInOrder(const ResolvedView& view) {
 
 void resolve(ResolvedView& view) {
     resolveBatches(view, !mergesInOrder(view));
+    checkDepthPrepass(view, !mergesInOrder(view));
     if (!isExact(view))
         return setSurfaceDefaults(view, 0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
     if (mergesInOrder(view))
@@ -80,7 +82,8 @@ void buildExact(PlanBuilder& b) {
 }
 
 ResourceId surfaceBuffer(PlanBuilder& b) {
-    return b.pixelBuffer("surfaces", checkedMultiply(b.view().aggregates, b.plan.bytesPerAggregate));
+    const uint64_t boundBytes = hasDepthPrepass(b.view()) ? 4 : 0;
+    return b.pixelBuffer("surfaces", checkedMultiply(b.view().aggregates, b.plan.bytesPerAggregate) + boundBytes);
 }
 
 Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
@@ -145,6 +148,7 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
 }
 
 void build(PlanBuilder& b) {
+    b.passConstants()[AGAA_NORMALISES] = hasDepthPrepass(b.view());
     if (isExact(b.view()))
         return buildExact(b);
     const Aggregation surfaces = keptSurfaces(b);

@@ -4,6 +4,7 @@
 #include "core/base/checked.h"
 #include "core/base/error.h"
 #include "core/base/structs.h"
+#include "core/plan/techniques/depth_bounds.h"
 #include "shaders/tables/layouts.inc"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
     checkRange(uint64_t(c.maxBatches), 0, 64, "AgaaDecoupledCoverage::maxBatches");
     checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
-    checkFlags(c.flags, AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER, "AgaaDecoupledCoverage::flags");
+    checkFlags(c.flags, AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER | AGAA_COVERAGE_DEPTH_PREPASS,
+               "AgaaDecoupledCoverage::flags");
     if (c.tableSize)
         checkRange(uint64_t(c.tableSize), 16, 1024, "AgaaDecoupledCoverage::tableSize");
     checkReserved(c.reservedTable, "AgaaDecoupledCoverage::reservedTable");
@@ -182,6 +184,7 @@ void bindTriangleFetch(PlanBuilder& b, Pass& pass) {
     pass.compute().defines += format(
         "#define AGAA_MAX_DRAWS %uu\n#define AGAA_MAX_PRIMITIVES %uu\n#define AGAA_MAX_TRIANGLES %uu\n"
         "#define AGAA_PAYLOAD_WORDS %uu\n#define AGAA_HAS_BATCHES %d\n#define AGAA_DRAW_ORDER %d\n"
+        "#define AGAA_HAS_DEPTH_PREPASS 0\n"
         "#define AGAA_EXPANDS_MASKED %d\n#define AGAA_COVERS_BY_TABLE %d\n",
         b.view().maxDraws, b.view().maxPrimitives, b.view().maxTriangles, b.plan.payloadWords, hasBatches(b.view()),
         (b.view().coverage.flags & AGAA_COVERAGE_DRAW_ORDER) != 0, isMasked, !b.view().coveragePositions.empty());
@@ -212,9 +215,11 @@ void expandTriangles(PlanBuilder& b, FragmentLists& lists, uint64_t segment) {
 
 FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords, uint64_t segment) {
     b.plan.payloadWords = payloadWords;
+    const ResourceId depth = drawDepthPrepass(b);
     const ListSizes sizes = listSizes(b);
     FragmentLists lists{makeLists(b, sizes)};
     b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, segment).fill().bytes = 4 * sizes.heads;
+    boundDepths(b, depth, lists.buffer, segment);
     if (expandsTriangles(b.view())) {
         expandTriangles(b, lists, segment);
     } else {

@@ -19,10 +19,10 @@ void buildNative(PlanBuilder& b) {
     uint64_t bytes = bytesPerTexel(Format::R16U);
     const GBufferPacking packing = packGBuffer(b.view().layout);
     for (size_t i = 0; i < packing.attachments.size(); ++i) {
-        b.modelSurface("surface-gbuffer-" + std::to_string(i), packing.attachments[i], b.view().aggregates);
+        b.multisampledImage("surface-gbuffer-" + std::to_string(i), packing.attachments[i], b.view().aggregates);
         bytes += bytesPerTexel(packing.attachments[i]);
     }
-    b.modelSurface("surface-data", Format::R16U, b.view().aggregates);
+    b.multisampledImage("surface-data", Format::R16U, b.view().aggregates);
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
