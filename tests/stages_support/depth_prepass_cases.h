@@ -48,6 +48,12 @@ inline void addRectangle(Shot& shot, float left, float right, float depth, const
 
 inline float redOf(const Shown& shown, uint32_t x, uint32_t y) { return shown.rgb[3 * (size_t(y) * 48 + x)]; }
 
+// Returns one view that merges and one that does not, of which one fetches materials.
+inline std::vector<PrepassView> fewPrepassViews() {
+    const std::vector<PrepassView> all = prepassViews();
+    return {all.front(), all.back()};
+}
+
 template <class Host> class DepthPrepassCases : public testing::Test {
 protected:
     Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
@@ -99,15 +105,15 @@ TYPED_TEST_P(DepthPrepassCases, EdgesBeforeTheBackgroundAreExact) {
     addRectangle(shot, -10, 58, 10, glowing(0.5f));
     addRectangle(shot, 10.3f, 20.2f, 8, glowing(0.9f));
     addRectangle(shot, 11.1f, 20.7f, 2, glowing(0.2f));
-    for (const auto& [name, settings] : prepassViews())
-        for (const bool reversedZ : {false, true}) {
-            SCOPED_TRACE(std::string(name) + (reversedZ ? ", reversed z" : ""));
-            ViewSettings view = settings;
-            view.config.coverage.merge = reversedZ ? AGAA_MERGE_PAPER : AGAA_MERGE_VISIBLE;
-            if (reversedZ)
-                reverseDepth(view);
-            EXPECT_EQ(this->render(withPrepass(view), shot).rgb, this->render(view, shot).rgb);
-        }
+    bool isReversed = false;
+    for (auto& [name, settings] : prepassViews()) {
+        SCOPED_TRACE(std::string(name) + (isReversed ? ", reversed z" : ""));
+        settings.config.coverage.merge = isReversed ? AGAA_MERGE_PAPER : AGAA_MERGE_VISIBLE;
+        if (isReversed)
+            reverseDepth(settings);
+        isReversed = !isReversed;
+        EXPECT_EQ(this->render(withPrepass(settings), shot).rgb, this->render(settings, shot).rgb);
+    }
 }
 
 // Depth buffers round. Coplanar surfaces that face the eye are not behind their own samples, at any depth.
@@ -117,7 +123,7 @@ TYPED_TEST_P(DepthPrepassCases, RoundedDepthHidesNoSurface) {
         Shot shot{.lights = {}};
         addRectangle(shot, -10, 20.3f, depth, glowing(0.2f));
         addRectangle(shot, 20.3f, 58, depth, glowing(0.9f));
-        for (const auto& [name, settings] : prepassViews()) {
+        for (const auto& [name, settings] : fewPrepassViews()) {
             SCOPED_TRACE(name);
             EXPECT_EQ(this->render(withPrepass(settings), shot).rgb, this->render(settings, shot).rgb);
         }
@@ -126,7 +132,7 @@ TYPED_TEST_P(DepthPrepassCases, RoundedDepthHidesNoSurface) {
 
 // Lists that have no room for all layers have room for the one that shows.
 TYPED_TEST_P(DepthPrepassCases, HiddenFragmentsNeedNoBatches) {
-    for (auto& [name, settings] : prepassViews()) {
+    for (auto& [name, settings] : fewPrepassViews()) {
         SCOPED_TRACE(name);
         settings.width = settings.height = 258;
         settings.projection = pixelOrthographic(258, 258, 10);
@@ -144,7 +150,7 @@ TYPED_TEST_P(DepthPrepassCases, HiddenFragmentsNeedNoBatches) {
 
 // The bound holds in all draws of a frame whose lists overflow.
 TYPED_TEST_P(DepthPrepassCases, BatchesKeepTheBound) {
-    for (auto& [name, settings] : prepassViews()) {
+    for (auto& [name, settings] : fewPrepassViews()) {
         SCOPED_TRACE(name);
         settings.width = settings.height = 258;
         settings.projection = pixelOrthographic(258, 258, 10);
