@@ -1,4 +1,4 @@
-/* AGAA SDK: anti-aliasing for deferred shading without temporal history.
+/* AGAA SDK: anti-aliasing for deferred shading, without temporal history unless a host asks for it.
  * SPDX-License-Identifier: MIT
  *
  * Pure C99. "AGAA" in comments is Crassin et al., Aggregate G-Buffer Anti-Aliasing, TVCG 2016.
@@ -38,5 +38,6 @@
 #include "agaa/price.h"
 #include "agaa/query.h"
 #include "agaa/statistics.h"
+#include "agaa/temporal.h"
 
 #endif /* AGAA_SDK_H */

@@ -26,7 +26,9 @@ AgaaFetchFunction emptyFetch() {
     return fetch;
 }
 
-bool needsOneSample(const std::string& technique) { return technique == "single" || technique == "fxaa"; }
+bool needsOneSample(const std::string& technique) {
+    return technique == "single" || technique == "fxaa" || technique == "smaa" || technique == "taa";
+}
 
 bool hasCoverageSamples(const std::string& technique) { return technique == "dcaa"; }
 
@@ -45,6 +47,7 @@ ViewDescription::ViewDescription(const Device* device) {
     const AgaaAggregation initialAggregation = AGAA_AGGREGATION_INIT;
     const AgaaDecoupledCoverage initialCoverage = AGAA_DECOUPLED_COVERAGE_INIT;
     const AgaaAdaptiveSampling initialAdaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
+    const AgaaTemporal initialTemporal = AGAA_TEMPORAL_INIT;
     const AgaaMeasurement initialMeasurement = AGAA_MEASUREMENT_INIT;
     const AgaaSceneFacts initialFacts = AGAA_SCENE_FACTS_INIT;
     const AgaaViewDesc initialDesc = AGAA_VIEW_DESC_INIT;
@@ -53,6 +56,7 @@ ViewDescription::ViewDescription(const Device* device) {
     aggregation = initialAggregation;
     coverage = initialCoverage;
     adaptive = initialAdaptive;
+    temporal = initialTemporal;
     measurement = initialMeasurement;
     facts = initialFacts;
     desc = initialDesc;
@@ -61,7 +65,8 @@ ViewDescription::ViewDescription(const Device* device) {
     config.pNext = &aggregation;
     aggregation.pNext = &coverage;
     coverage.pNext = &adaptive;
-    adaptive.pNext = &measurement;
+    adaptive.pNext = &temporal;
+    temporal.pNext = &measurement;
     facts.shadowMapCount = 0;
     facts.maxLights = 4;
     desc.width = 32;
@@ -100,7 +105,9 @@ ScopedView::ScopedView(Test& test, AgaaContext context, const ViewDescription& d
 }
 
 AgaaFrame pixelFrame(const Device& device, const ViewDescription& description, uint64_t i) {
+    static const AgaaTemporalFrame forgetting = AGAA_TEMPORAL_FRAME_INIT;
     AgaaFrame frame = AGAA_FRAME_INIT;
+    frame.pNext = &forgetting; // for views that accumulate
     frame.frameIndex = i;
     frame.completedFrame = i - 1;
     frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 1.0f;

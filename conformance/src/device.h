@@ -125,10 +125,10 @@ private:
 // Returns a fetch function without a scene.
 AgaaFetchFunction emptyFetch();
 
-// Returns n of a technique that corresponds to `samples` of "ssaa": 1 for "single" and "fxaa", 16 times as many
-// coverage samples for "dcaa".
+// Returns n of a technique that corresponds to `samples` of "ssaa": 1 for techniques of one sample, 16 times as
+// many coverage samples for "dcaa".
 uint32_t samplesOf(const std::string& technique, uint32_t samples);
-bool needsOneSample(const std::string& technique);     // true for "single" and "fxaa"
+bool needsOneSample(const std::string& technique);     // true for "single", "fxaa", "smaa" and "taa"
 bool countsCoverage(const AgaaConfig& config);         // n counts coverage samples, and targets have one sample
 bool hasCoverageSamples(const std::string& technique); // true for "dcaa", which needs an AgaaFetchFunction
 
@@ -147,7 +147,8 @@ struct ViewDescription {
     AgaaAggregation aggregation;    // chained to config
     AgaaDecoupledCoverage coverage; // chained to aggregation
     AgaaAdaptiveSampling adaptive;  // chained to coverage
-    AgaaMeasurement measurement;    // chained to adaptive
+    AgaaTemporal temporal;          // chained to adaptive
+    AgaaMeasurement measurement;    // chained to temporal
     AgaaFetchFunction sceneFetch;   // setTechnique() chains it to desc if the technique needs it
     AgaaSceneFacts facts;
     AgaaViewDesc desc;

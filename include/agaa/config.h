@@ -171,18 +171,22 @@ typedef enum AgaaTier {
  * used. AgaaCounters::materials counts the evaluations. */
 #define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x20)
 
+/* Accumulate the image over frames (agaa/temporal.h), as "taa" always does. A technique or tier without a depth buffer
+ * ("dcaa", FRAGMENTS) fails with AGAA_ERROR_UNSUPPORTED. Debug views are not accumulated. */
+#define AGAA_CONFIG_ACCUMULATE UINT64_C(0x80)
+
 /* Compare each material with AgaaSceneFacts (agaaGetFactReport). Implies AGAA_CONFIG_COUNTERS. */
 #define AGAA_CONFIG_CHECK_FACTS UINT64_C(0x40)
 
-/* Settings of a view. AgaaAggregation, AgaaDecoupledCoverage, AgaaAdaptiveSampling and AgaaMeasurement may be
- * chained. A struct that is not chained has its defaults. */
+/* Settings of a view. AgaaAggregation, AgaaDecoupledCoverage, AgaaAdaptiveSampling, AgaaTemporal and AgaaMeasurement
+ * may be chained. A struct that is not chained has its defaults. */
 typedef struct AgaaConfig {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa" or
-                                 "adaptive" */
-    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1.
+    const char* technique;    /* "single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa",
+                                 "dcaa" or "adaptive" */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; the first four use 1.
                                  "msaa", "ssaa", "simple_complex" and "adaptive" also accept 9, on the tier
                                  ORDERED_GRID. "dcaa", and "agaa" with the tier FRAGMENTS, have 32, 64 or 128
                                  coverage samples per pixel */

@@ -222,7 +222,7 @@ AGAA_API void AGAA_CALL agaaInitShadow(AgaaShadow* outShadow, size_t structSize)
 typedef struct AgaaFrame {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;       /* null */
+    const void* pNext;       /* null, or an AgaaTemporalFrame (agaa/temporal.h) */
     uint64_t frameIndex;     /* increases by at least 1 per frame, from 1 */
     uint64_t completedFrame; /* the newest frame that the device is known to have finished, < frameIndex; 0: none */
     uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */

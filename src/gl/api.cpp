@@ -106,7 +106,8 @@ AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* d
 AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaGlFrame* glFrame) {
     return guarded(logOf(view), "agaaGlRecordFrame", [&]() -> AgaaResult {
         requireBackend(view, Backend::OpenGL);
-        return static_cast<gl::View*>(view->current)->record(readStruct(frame), readStruct(glFrame));
+        return static_cast<gl::View*>(view->current)
+            ->record(readStruct(frame, {AGAA_STRUCTURE_TYPE_TEMPORAL_FRAME}), readStruct(glFrame));
     });
 }
 

@@ -65,7 +65,8 @@ AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* d
 AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaVkFrame* vkFrame) {
     return guarded(logOf(view), "agaaVkRecordFrame", [&]() -> AgaaResult {
         requireBackend(view, Backend::Vulkan);
-        return static_cast<vk::View*>(view->current)->record(readStruct(frame), readStruct(vkFrame));
+        return static_cast<vk::View*>(view->current)
+            ->record(readStruct(frame, {AGAA_STRUCTURE_TYPE_TEMPORAL_FRAME}), readStruct(vkFrame));
     });
 }
 

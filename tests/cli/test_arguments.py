@@ -20,7 +20,7 @@ WRONG = [
     ["memory", "--size", "640"],
     ["memory", "--size", "640x"],
     ["memory", "--size", "-4x3"],
-    ["memory", "--technique", "taa"],
+    ["memory", "--technique", "mlaa"],
     ["memory", "--layout", "nonesuch"],
     ["memory", "--tier", "generation=bogus"],
     ["memory", "--tier", "nowhere=native"],
@@ -56,7 +56,7 @@ WRONG = [
     ["choose", "--max-error", "0.1", "--observe"],
     ["choose", "--max-error", "little"],
     ["choose", "--measured"],
-    ["price", "--technique", "taa"],
+    ["price", "--technique", "mlaa"],
     ["hard-scenes", "--scene", "mirrors"],
     ["hard-scenes", "--part", "3/2"],
     ["hard-scenes", "--part", "0/1"],
@@ -123,7 +123,7 @@ class Arguments(unittest.TestCase):
 
     def test_files_of_measured_settings(self):
         row = {"technique": "single", "samples": 1, "aggregates": 0, "errorShare": 1, "error": 0.01}
-        wrong = [{"samples": -1}, {"samples": 1.5}, {"samples": 2**32}, {"technique": None}, {"technique": "taa"}, {"samples": 7},
+        wrong = [{"samples": -1}, {"samples": 1.5}, {"samples": 2**32}, {"technique": None}, {"technique": "mlaa"}, {"samples": 7},
                  {"tier": "fast"}, {"preset": 1}, {"errorShare": -1}, {"errorShare": "1"}, {"error": 1e300}, {"errorShare": 0},
                  {"geometryMs": 1}, {"pixels": 4, "geometryMs": -1}]
         texts = ["{", "[]", "{}", '{"measured": []}', '{"measured": 1}', '{"measured": [1]}', '{"measured": [{}]}']

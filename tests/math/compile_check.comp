@@ -32,6 +32,8 @@
 #include "../../src/shaders/math/light_culling.glsl"
 #include "../../src/shaders/math/adaptive.glsl"
 #include "../../src/shaders/math/tile_batches.glsl"
+#include "../../src/shaders/math/edge_shares.glsl"
+#include "../../src/shaders/math/history.glsl"
 #include "../../src/shaders/math/clustering.glsl"
 
 layout(local_size_x = 64) in;

@@ -33,6 +33,8 @@
 #undef AGAA_MATH_SBAA_RECORDS_GLSL
 #undef AGAA_MATH_SURFACE_MERGE_GLSL
 #undef AGAA_MATH_SURFACE_RESOLVE_GLSL
+#undef AGAA_MATH_EDGE_SHARES_GLSL
+#undef AGAA_MATH_HISTORY_GLSL
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
@@ -63,6 +65,8 @@
 #include "../../src/shaders/math/light_culling.glsl"
 #include "../../src/shaders/math/adaptive.glsl"
 #include "../../src/shaders/math/tile_batches.glsl"
+#include "../../src/shaders/math/edge_shares.glsl"
+#include "../../src/shaders/math/history.glsl"
 
 struct FragmentLists {
     std::vector<uint> words;

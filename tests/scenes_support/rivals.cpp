@@ -69,6 +69,9 @@ void expectRivals(Renderer& renderer, RenderSettings settings, const char* name)
     const Rival filtered = rivals.measure("fxaa", 1);
     EXPECT_LT(filtered.error, isSoftware(renderer) ? 0.7 : 0.72); // 0.705 on an NVIDIA H200
     EXPECT_EQ(filtered.counters.maxEventsPerPixel, 1u);
+    const Rival followed = rivals.measure("smaa", 1); // it blends less where edges are no lines
+    EXPECT_LT(followed.error, 0.85);
+    EXPECT_EQ(followed.counters.maxEventsPerPixel, 1u);
     double before = 1;
     for (uint32_t surfaces : {1u, 2u, 4u, 6u}) {
         const Rival kept = rivals.measure("sbaa", surfaces);

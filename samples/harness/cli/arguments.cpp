@@ -213,6 +213,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
         config.coverage.samplePositions = quasirandomPositions().data();
     config.coverage.tableSize = arguments.tableSize;
     arguments.adaptive.apply(config);
+    arguments.temporal.apply(config);
     config.aggregation.litShadows = arguments.lit ? 1 : 0; // bit 0: a scene has one shadow map
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/adaptive_arguments.h"
+#include "cli/temporal_arguments.h"
 #include "render/renderer.h"
 
 #include <optional>
@@ -66,6 +67,7 @@ struct PlanArguments {
     std::string coveragePattern = "library";
     uint32_t tableSize = 0;
     AdaptiveArguments adaptive;
+    TemporalArguments temporal;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;

@@ -76,6 +76,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.switchFacts = arguments.switchFacts;
     const auto jitter = parseNumbers(arguments.jitter, 2, "--jitter");
     settings.jitter = {jitter[0], jitter[1]};
+    settings.jitterPositions = arguments.plan.temporal.jitterPositions;
     return settings;
 }
 

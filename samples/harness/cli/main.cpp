@@ -51,6 +51,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
                    "positions of coverage samples: library, or r2 by a table of half-planes");
     app.add_option("--table-size", a.tableSize, "entries a side of the table of half-planes for r2; 0: 128");
     a.adaptive.addTo(app);
+    a.temporal.addTo(app);
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
     app.add_flag("--lit", a.lit, "agaa by id or from a G-buffer: lit statistics for the lights with shadows");
     app.add_flag("--buffered", a.buffered,

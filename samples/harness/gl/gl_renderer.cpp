@@ -70,14 +70,19 @@ void GlRenderer::prepare(const FrameInput& input) {
         if (pass.state.vertexPulling && !strips_)
             strips_.emplace(gl, scene(), *gpuScene_);
     }
+    device_.checkErrors("prepare a frame");
+}
+
+void GlRenderer::setCamera(const FrameInput& input) {
+    const GladGLContext& gl = device_.gl();
     const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
-    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(settings.footprint)};
+    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(input.settings.footprint)};
     gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof camera, &camera);
     if (fetch_) {
         fetch_->update(scene(), input.draws, {viewProjection, camera.viewer});
         fetch_->bind();
     }
-    device_.checkErrors("prepare a frame");
+    device_.checkErrors("set the camera");
 }
 
 double GlRenderer::renderFrame(const FrameInput& input) {

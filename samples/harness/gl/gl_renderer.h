@@ -30,6 +30,7 @@ private:
     const AgaaFetchFunction* fetchFunction(bool coversByEdges) override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
+    void setCamera(const FrameInput& input) override;
     double renderFrame(const FrameInput& input) override;
     Image readOutput() override;
     const std::vector<AgaaShadow>& shadows() const override { return shadowMaps_.shadows(); }

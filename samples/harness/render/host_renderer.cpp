@@ -3,6 +3,7 @@
 #include "render/lights.h"
 #include "render/sdk_queries.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -56,7 +57,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     result.memory = predictMemory(desc, caps(), log());
     result.plan = summarisePlan(desc, caps(), log());
 
-    FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, nullptr, {}, true};
+    FrameInput input{settings, cameraMatrices(scene_, settings, clipY())};
     input.lights = input.unshadowed = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
     for (AgaaLight& light : input.unshadowed)
         light.shadowMap = AGAA_NO_SHADOW;
@@ -70,12 +71,15 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     for (size_t i = 0; settings.unfetchedEvery && i < input.draws.size(); i += settings.unfetchedEvery)
         input.draws[i].isFetched = false;
     prepare(input);
+    setCamera(input);
     const std::vector<AgaaSceneFacts> switched =
         settings.switchFacts ? switchedFacts(facts) : std::vector<AgaaSceneFacts>();
     if (!switched.empty())
         log().check(agaaPrepareVariants(view, uint32_t(switched.size()), switched.data()), "agaaPrepareVariants");
     for (uint32_t frame = 0; frame < settings.warmup + std::max(settings.frames, 1u); ++frame) {
         input.facts = switched.empty() ? nullptr : &switched[frame % switched.size()];
+        if (settings.config.accumulates())
+            moveCamera(input, frame), setCamera(input);
         const auto start = std::chrono::steady_clock::now();
         const double milliseconds = renderFrame(input);
         const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - start;
@@ -96,6 +100,40 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     }
     result.image = readOutput();
     return result;
+}
+
+// Jitters the camera of a frame, and sets the camera of the frame before.
+void HostRenderer::moveCamera(FrameInput& input, uint32_t frame) const {
+    RenderSettings settings = input.settings;
+    if (frame > 0 || settings.previousCamera) {
+        RenderSettings before = settings;
+        before.jitter = glm::dvec2(0);
+        if (frame == 0)
+            before.camera = *settings.previousCamera;
+        input.previousCamera = cameraMatrices(scene_, before, clipY());
+    }
+    float offset[2];
+    const uint32_t index = settings.jitterIndex + frame;
+    agaaGetJitter(index, settings.jitterPositions, offset);
+    settings.jitter += glm::dvec2(offset[0], offset[1]);
+    input.jitter = settings.jitter;
+    input.camera = cameraMatrices(scene_, settings, clipY());
+}
+
+AgaaTemporalFrame HostRenderer::describeHistory(const FrameInput& input) const {
+    AgaaTemporalFrame history = AGAA_TEMPORAL_FRAME_INIT;
+    history.jitter[0] = float(input.jitter.x);
+    history.jitter[1] = float(clipY() == ClipY::Down ? input.jitter.y : -input.jitter.y);
+    if (!input.previousCamera)
+        return history;
+    const CameraMatrices& previous = *input.previousCamera;
+    history.resets = 0;
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1), input.camera.eye - previous.eye);
+    const glm::mat4 toPreviousView(previous.view * moved);
+    const glm::mat4 projection(rasterised(previous.projection));
+    std::copy_n(glm::value_ptr(toPreviousView), 16, history.toPreviousView);
+    std::copy_n(glm::value_ptr(projection), 16, history.previousProjection);
+    return history;
 }
 
 AgaaFrame HostRenderer::describeFrame(const FrameInput& input) const {

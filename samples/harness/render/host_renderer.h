@@ -24,10 +24,12 @@ protected:
     struct FrameInput {
         const RenderSettings& settings;
         CameraMatrices camera;
-        std::vector<AgaaLight> lights;
-        std::vector<AgaaLight> unshadowed;     // lights without shadows
-        const AgaaSceneFacts* facts = nullptr; // facts of the frame; null: the facts of the view
-        std::vector<Draw> draws;
+        std::optional<CameraMatrices> previousCamera = {}; // of the previous frame, without jitter
+        glm::dvec2 jitter{0};                              // of this frame, in pixels
+        std::vector<AgaaLight> lights = {};
+        std::vector<AgaaLight> unshadowed = {}; // lights without shadows
+        const AgaaSceneFacts* facts = nullptr;  // facts of the frame; null: the facts of the view
+        std::vector<Draw> draws = {};
         bool useMasked = true;
     };
 
@@ -45,6 +47,8 @@ protected:
     virtual AgaaView useView(const AgaaViewDesc& desc) = 0;
     // Creates the output, shadow maps and pipelines that the frames need.
     virtual void prepare(const FrameInput& input) = 0;
+    // Writes the camera for the draws. Called after prepare() and before each frame whose camera differs.
+    virtual void setCamera(const FrameInput& input) = 0;
     // Renders one frame through record() and waits for it. Returns milliseconds.
     virtual double renderFrame(const FrameInput& input) = 0;
     virtual Image readOutput() = 0;
@@ -57,6 +61,8 @@ protected:
 
 private:
     AgaaFrame describeFrame(const FrameInput& input) const;
+    AgaaTemporalFrame describeHistory(const FrameInput& input) const;
+    void moveCamera(FrameInput& input, uint32_t frame) const;
     // The callback of the SDK. No exception may leave it, so drawError_ keeps errors.
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
 
@@ -72,6 +78,8 @@ private:
 
 template <class Record> void HostRenderer::record(const FrameInput& input, const char* call, const Record& record) {
     AgaaFrame frame = describeFrame(input);
+    const AgaaTemporalFrame history = describeHistory(input);
+    frame.pNext = &history;
     frame.completedFrame = frameIndex_;
     frame.frameIndex = ++frameIndex_;
     std::vector<uint64_t> calls = {AGAA_SEGMENT_ALL};

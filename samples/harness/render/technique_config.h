@@ -11,12 +11,13 @@ struct TechniqueConfig : AgaaConfig {
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;
     AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
+    AgaaTemporal temporal = AGAA_TEMPORAL_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
 
     TechniqueConfig() : AgaaConfig AGAA_CONFIG_INIT { chain(); }
     TechniqueConfig(const TechniqueConfig& other)
         : AgaaConfig(other), aggregation(other.aggregation), coverage(other.coverage), adaptive(other.adaptive),
-          measurement(other.measurement) {
+          temporal(other.temporal), measurement(other.measurement) {
         chain();
     }
     TechniqueConfig& operator=(const TechniqueConfig& other) {
@@ -24,11 +25,14 @@ struct TechniqueConfig : AgaaConfig {
         aggregation = other.aggregation;
         coverage = other.coverage;
         adaptive = other.adaptive;
+        temporal = other.temporal;
         measurement = other.measurement;
         chain();
         return *this;
     }
 
+    // Returns whether views accumulate frames.
+    bool accumulates() const { return std::string_view(technique) == "taa" || flags & AGAA_CONFIG_ACCUMULATE; }
     // Returns whether n counts coverage samples.
     bool coversByEdges() const {
         const std::string_view name = technique;
@@ -50,7 +54,8 @@ private:
     void chain() {
         aggregation.pNext = &coverage;
         coverage.pNext = &adaptive;
-        adaptive.pNext = &measurement;
+        adaptive.pNext = &temporal;
+        temporal.pNext = &measurement;
         pNext = &aggregation;
     }
 };

@@ -60,7 +60,7 @@ bool isKnown(const AgaaConfig& config) {
          next = static_cast<const AgaaStructHeader*>(next->pNext))
         if (next->sType != AGAA_STRUCTURE_TYPE_AGGREGATION && next->sType != AGAA_STRUCTURE_TYPE_MEASUREMENT &&
             next->sType != AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE &&
-            next->sType != AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING)
+            next->sType != AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING && next->sType != AGAA_STRUCTURE_TYPE_TEMPORAL)
             return false;
     return true;
 }
@@ -78,6 +78,7 @@ std::string viewKey(const AgaaViewDesc& desc) {
         chainedOr(config, AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, AgaaDecoupledCoverage AGAA_DECOUPLED_COVERAGE_INIT);
     const auto adaptive =
         chainedOr(config, AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, AgaaAdaptiveSampling AGAA_ADAPTIVE_SAMPLING_INIT);
+    const auto temporal = chainedOr(config, AGAA_STRUCTURE_TYPE_TEMPORAL, AgaaTemporal AGAA_TEMPORAL_INIT);
     const auto measurement = chainedOr(config, AGAA_STRUCTURE_TYPE_MEASUREMENT, AgaaMeasurement AGAA_MEASUREMENT_INIT);
     Key key;
     if (fetches)
@@ -96,12 +97,14 @@ std::string viewKey(const AgaaViewDesc& desc) {
           config.surfaceCosine, config.surfaceDistance, config.surfaceMaterial, aggregation.glossWeight,
           coverage.fragmentsPerPixel, adaptive.depthScale, adaptive.normalScale, adaptive.shadingScale,
           adaptive.shadingThreshold, adaptive.shadingMinimum, adaptive.glossWeight, adaptive.targetEvents,
-          adaptive.countMemory})
+          adaptive.countMemory, temporal.currentShare, temporal.clipDeviations, temporal.depthTolerance})
         key.add(value);
     key.add(config.flags);
     key.add(measurement.flags);
     key.add(coverage.flags);
     key.add(adaptive.flags);
+    key.add(temporal.flags);
+    key.add(temporal.motion);
     key.add(uint32_t(coverage.samplePositions != nullptr));
     for (uint32_t i = 0; coverage.samplePositions && i < 2 * config.samples; ++i)
         key.add(coverage.samplePositions[i]);

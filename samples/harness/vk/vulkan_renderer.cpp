@@ -78,8 +78,11 @@ void VulkanRenderer::prepare(const FrameInput& input) {
         pipelines_.prepare(pass, scene(), input.draws, gpuScene_->materialLayout(),
                            strips_ ? strips_->layout() : VK_NULL_HANDLE);
     }
+}
+
+void VulkanRenderer::setCamera(const FrameInput& input) {
     const glm::mat4 viewProjection(input.camera.viewProjection);
-    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(settings.footprint)};
+    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(input.settings.footprint)};
     std::memcpy(cameraConstants_.mapped, &camera, sizeof camera);
     if (fetch_)
         fetch_->update(scene(), input.draws, {viewProjection, camera.viewer});

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/names.h"
 #include "core/base/structs.h"
+#include "core/frame/temporal.h"
 #include "core/glsl/aggregate_glsl.h"
 #include "core/glsl/glsl_text.h"
 #include "core/plan/planner.h"
@@ -22,6 +23,8 @@
 #include "core/view/technique.h"
 #include "core/view/tiers.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -97,6 +100,16 @@ AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTier) {
 
 AgaaResult AGAA_CALL agaaGetNames(uint32_t kind, uint32_t* count, const char** names) {
     return guarded(Log(), "agaaGetNames", [&] { return writeArray(namesOf(kind), count, names); });
+}
+
+AgaaResult AGAA_CALL agaaGetJitter(uint64_t index, uint32_t count, float outJitter[2]) {
+    return guarded(Log(), "agaaGetJitter", [&]() -> AgaaResult {
+        require(outJitter, AGAA_ERROR_INVALID_ARGUMENT, "outJitter is null.");
+        checkRange(uint64_t(count), 1, 1024, "count");
+        const std::array<float, 2> jitter = jitterOf(index % count, count);
+        std::ranges::copy(jitter, outJitter);
+        return AGAA_OK;
+    });
 }
 
 AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayout) {

@@ -3,6 +3,7 @@
 #include "core/base/arguments.h"
 #include "core/base/error.h"
 #include "core/base/structs.h"
+#include "core/frame/temporal.h"
 #include "core/plan/plan.h"
 #include "core/view/facts.h"
 
@@ -10,18 +11,37 @@
 
 namespace agaa {
 
+void checkRotation(const float* m, const char* name) {
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) {
+            const float dot = m[4 * i] * m[4 * j] + m[4 * i + 1] * m[4 * j + 1] + m[4 * i + 2] * m[4 * j + 2];
+            if (!(std::fabs(dot - (i == j ? 1.0f : 0.0f)) <= 1e-3f))
+                fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is not a rotation.", name));
+        }
+}
+
+void checkProjection(const float (&p)[16], const char* name) {
+    for (float element : p)
+        checkFinite(element, name);
+    const auto bad = [&](const char* what) { fail(AGAA_ERROR_OUT_OF_RANGE, format("%s %s.", name, what)); };
+    const bool perspective = p[11] == -1.0f && p[15] == 0.0f;
+    const bool orthographic = p[11] == 0.0f && p[15] == 1.0f;
+    if (!perspective && !orthographic)
+        bad("is neither perspective (looking down -z) nor orthographic");
+    // These elements are zero in every projection without shear, roll and oblique near plane.
+    bool plain = p[1] == 0 && p[2] == 0 && p[3] == 0 && p[4] == 0 && p[6] == 0 && p[7] == 0;
+    plain = plain && (perspective ? p[12] == 0 && p[13] == 0 : p[8] == 0 && p[9] == 0);
+    if (!plain)
+        bad("has shear, roll or an oblique near plane");
+    if (p[0] == 0 || p[5] == 0 || (perspective ? p[14] : p[10]) == 0)
+        bad("is singular");
+}
+
 static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
     for (float element : frame.view)
         checkFinite(element, "AgaaFrame::view");
-    for (float element : frame.projection)
-        checkFinite(element, "AgaaFrame::projection");
     const float* v = frame.view;
-    for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j) {
-            const float dot = v[4 * i] * v[4 * j] + v[4 * i + 1] * v[4 * j + 1] + v[4 * i + 2] * v[4 * j + 2];
-            if (std::fabs(dot - (i == j ? 1.0f : 0.0f)) > 1e-3f)
-                fail(AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::view is not a rotation.");
-        }
+    checkRotation(v, "AgaaFrame::view");
     const float determinant =
         v[0] * (v[5] * v[10] - v[6] * v[9]) - v[4] * (v[1] * v[10] - v[2] * v[9]) + v[8] * (v[1] * v[6] - v[2] * v[5]);
     require(determinant > 0, AGAA_ERROR_OUT_OF_RANGE,
@@ -30,21 +50,13 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
             "AgaaFrame::view has a last row other than 0, 0, 0, 1; matrices are column-major.");
     if (v[12] != 0 || v[13] != 0 || v[14] != 0)
         fail(AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::view has a translation; shading space has its origin at the eye.");
+    checkProjection(frame.projection, "AgaaFrame::projection");
     const float* p = frame.projection;
-    const bool perspective = p[11] == -1.0f && p[15] == 0.0f;
-    const bool orthographic = p[11] == 0.0f && p[15] == 1.0f;
-    require(perspective || orthographic, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaFrame::projection is neither perspective (looking down -z) nor orthographic.");
-    // These elements are zero in every projection without shear, roll and oblique near plane.
-    bool plain = p[1] == 0 && p[2] == 0 && p[3] == 0 && p[4] == 0 && p[6] == 0 && p[7] == 0;
-    plain = plain && (perspective ? p[12] == 0 && p[13] == 0 : p[8] == 0 && p[9] == 0);
-    require(plain, AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::projection has shear, roll or an oblique near plane.");
+    const bool perspective = p[11] == -1.0f;
     // A reversed depth falls with the distance from the eye.
     const bool reversed = (perspective ? p[14] : p[10]) > 0;
     require(reversed == reversedZ, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::projection and AGAA_VIEW_REVERSED_Z do not agree on which depth is near.");
-    require(p[0] != 0 && p[5] != 0 && (perspective ? p[14] : p[10]) != 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaFrame::projection is singular.");
 }
 
 static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCount, bool isLocalAllowed) {
@@ -129,6 +141,8 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
         checkLight(lightOf(frame, i), i, frame.shadowCount, !(plan.view.facts.flags & AGAA_FACT_NO_LOCAL_LIGHTS));
     for (uint32_t i = 0; i < frame.shadowCount; ++i)
         checkShadow(shadowOf(frame, i), plan.view.functionShadows >> i & 1);
+    if (plan.view.accumulates())
+        checkTemporalFrame(frame);
     for (float value : frame.ambient)
         checkRange(double(value), 0.0, 65504.0, "AgaaFrame::ambient");
     for (float value : frame.background)

@@ -14,6 +14,10 @@ AgaaSceneFacts factsOf(const AgaaFrame& frame, const Plan& plan);
 void checkFrame(const AgaaFrame& frame, const Plan& plan);
 // Throws if the frame composites over the output and the view lacks AGAA_VIEW_COMPOSITE.
 void checkComposite(const AgaaFrame& frame, const Plan& plan);
+// Throw Error if the upper left of a matrix is not orthonormal, or if the matrix is not a projection as
+// AgaaFrame::projection. name: of the member.
+void checkRotation(const float* matrix, const char* name);
+void checkProjection(const float (&matrix)[16], const char* name);
 // Return elements of the frame's arrays, which checkFrame() has accepted.
 AgaaLight lightOf(const AgaaFrame& frame, uint32_t index);
 AgaaShadow shadowOf(const AgaaFrame& frame, uint32_t index);

@@ -15,7 +15,7 @@ namespace agaa {
 constexpr uint32_t firstLocation = offsetof(FrameConstants, sampleLocations) / 16; // vector
 
 FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame, const SamplePositions& positions,
-                              const CounterBuffer* newest) {
+                              const CounterBuffer* newest, const HistoryTurn& turn) {
     FrameConstants out{};
     std::memcpy(out.view, frame.view, sizeof out.view);
     const float* p = frame.projection;
@@ -59,6 +59,8 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame, const Sa
     out.aggregates = plan.view.aggregates;
     out.fragmentCapacity = uint32_t(plan.fragmentCapacity);
     out.maxBatches = plan.view.coverage.maxBatches;
+    if (plan.view.accumulates() && frame.segments & AGAA_SEGMENT_SHADING)
+        writeTemporal(frame, turn, out);
     return out;
 }
 
@@ -120,12 +122,12 @@ static uint64_t writeLights(const AgaaFrame& frame, void* destination) {
 }
 
 uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame, const SamplePositions& positions,
-                     const CounterBuffer* newest, void* destination) {
+                     const CounterBuffer* newest, const HistoryTurn& turn, void* destination) {
     switch (content) {
     case UploadContent::None:
         break;
     case UploadContent::FrameConstants: {
-        const FrameConstants constants = frameConstants(plan, frame, positions, newest);
+        const FrameConstants constants = frameConstants(plan, frame, positions, newest, turn);
         std::memcpy(destination, &constants, sizeof constants);
         return sizeof constants;
     }

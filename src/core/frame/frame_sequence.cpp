@@ -56,6 +56,11 @@ uint32_t FrameSequence::slotOf(const AgaaFrame& frame) const {
     return begins(frame) ? (slot_ + 1) % uint32_t(slots_.size()) : slot_;
 }
 
+HistoryTurn FrameSequence::turnOf(const AgaaFrame& frame) const {
+    const bool isNew = begins(frame);
+    return {uint32_t((frames_ + (isNew ? 1 : 0)) & 1), isNew ? frame_ : previousFrame_};
+}
+
 static FrameContent contentOf(const AgaaFrame& frame) {
     FrameContent content{.lights = frame.lightCount, .shadows = frame.shadowCount};
     for (uint32_t i = 0; i < frame.lightCount; ++i)
@@ -67,6 +72,8 @@ static FrameContent contentOf(const AgaaFrame& frame) {
 void FrameSequence::recorded(const AgaaFrame& frame) {
     if (begins(frame)) {
         slot_ = slotOf(frame);
+        previousFrame_ = frame_;
+        ++frames_;
         frame_ = frame.frameIndex;
         camera_ = cameraOf(frame);
         ditherFrame_ = frame.ditherFrame;

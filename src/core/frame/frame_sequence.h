@@ -2,6 +2,7 @@
 #pragma once
 
 #include "agaa_sdk.h"
+#include "core/frame/temporal.h"
 
 #include <array>
 #include <cstdint>
@@ -25,6 +26,7 @@ public:
     void check(const AgaaFrame& frame) const;
     bool begins(const AgaaFrame& frame) const { return frame.frameIndex != frame_; }
     uint32_t slotOf(const AgaaFrame& frame) const;
+    HistoryTurn turnOf(const AgaaFrame& frame) const;
 
     void recorded(const AgaaFrame& frame);
     // Recording failed, and the host discards the commands. If earlier segments were recorded, the frame cannot
@@ -48,6 +50,8 @@ public:
 private:
     std::vector<Slot> slots_;
     uint64_t frame_ = 0;
+    uint64_t previousFrame_ = 0; // recorded before it
+    uint64_t frames_ = 0;        // number of frames that were begun
     uint32_t slot_ = 0;
     uint64_t segments_ = 0;          // of the frame that were recorded
     std::array<float, 32> camera_{}; // view and projection of the frame

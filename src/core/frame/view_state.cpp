@@ -98,8 +98,8 @@ void ViewState::uploadFrame(const AgaaFrame& frame, uint32_t slot) {
         const Resource& resource = plan.resources[id];
         if (resource.content == UploadContent::None || !(resource.segments & frame.segments))
             continue;
-        const uint64_t bytes =
-            writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr, beginUpload(id, slot));
+        const uint64_t bytes = writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr,
+                                           sequence.turnOf(frame), beginUpload(id, slot));
         endUpload(id, slot, bytes);
     }
 }

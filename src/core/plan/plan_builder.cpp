@@ -157,6 +157,7 @@ bool PlanBuilder::isSwitchedOn(Switch which) const {
     case Switch::Represented:
     case Switch::InTargets:
     case Switch::SharedSurfaces:
+    case Switch::Motion:
         break; // the caller of compute() sets them
     }
     return false;
@@ -315,8 +316,16 @@ ResourceId PlanBuilder::output() {
     return output_;
 }
 
+ResourceId PlanBuilder::techniqueImage() {
+    if (!plan.view.accumulates())
+        return output();
+    if (image_ == noResource)
+        image_ = image("frame", Format::RGBA16F, false);
+    return image_;
+}
+
 void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
-    bind(pass, slot::Output, BindingType::StorageImage, image == noResource ? output() : image, true);
+    bind(pass, slot::Output, BindingType::StorageImage, image == noResource ? techniqueImage() : image, true);
     if (plan.view.composite)
         bind(pass, slot::Background, BindingType::Texture, output());
 }

@@ -70,7 +70,9 @@ public:
     // Compiles the pass with the host's functions that fetch materials.
     void bindHostFetch(Pass& pass);
     ResourceId output(); // the host's image
-    // Binds the image that agaa_writeOutput() writes, by default the output, and with AGAA_VIEW_COMPOSITE the
+    // Returns the image that the technique's passes complete: the output, or one that is accumulated.
+    ResourceId techniqueImage();
+    // Binds the image that agaa_writeOutput() writes, by default techniqueImage(), and with AGAA_VIEW_COMPOSITE the
     // background.
     void bindOutput(Pass& pass, ResourceId image = noResource);
     // Adds the last pass: it lets the CPU read the counters and see that the device executed the frame.
@@ -107,6 +109,7 @@ private:
     ResourceId lightMasks_ = noResource; // of tiles, if lights are culled
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
+    ResourceId image_ = noResource; // if frames are accumulated
     std::array<ResourceId, AGAA_MAX_SHADOW_MAPS> shadowMaps_;
     uint32_t framesInFlight_;
 };

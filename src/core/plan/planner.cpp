@@ -1,6 +1,7 @@
 #include "core/plan/planner.h"
 
 #include "core/plan/plan_builder.h"
+#include "core/plan/techniques/accumulation.h"
 #include "core/view/resolved_view.h"
 
 namespace agaa {
@@ -22,6 +23,11 @@ AgaaDeviceCaps idealDevice() {
 Plan makePlan(const ViewSettings& settings, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
     PlanBuilder builder(resolveForDevice(settings, caps, techniques()), caps, framesInFlight);
     settings.technique->build(builder);
+    if (builder.plan.runnable) {
+        if (builder.view().accumulates())
+            accumulateFrames(builder);
+        builder.copyCounters();
+    }
     return builder.finish();
 }
 

@@ -18,6 +18,8 @@ void stripUnusedFeatures(ResolvedView& view, const Technique& technique) {
     const bool showsFacts = view.measurement.debugView == AGAA_DEBUG_VIEW_FACTS;
     config.flags |= showsFacts ? AGAA_CONFIG_CHECK_FACTS : 0;
     config.flags |= config.flags & AGAA_CONFIG_CHECK_FACTS ? AGAA_CONFIG_COUNTERS : 0;
+    if (view.measurement.debugView != AGAA_DEBUG_VIEW_NONE) // numbers must not be mixed
+        config.flags &= ~AGAA_CONFIG_ACCUMULATE;
     // The debug view of facts stores its colours as diffuse albedo.
     view.layout = reduceLayout(view.layout, view.facts.flags & ~(showsFacts ? AGAA_FACT_NO_DIFFUSE : 0),
                                technique.storesWidenedLobes);

@@ -25,7 +25,8 @@ struct ResolvedView : ViewSettings {
     bool knowsMaterials() const { return generation && generation->knowsMaterials; }
     bool countsPrimitives() const { return generation && generation->countsPrimitives; }
     bool readsGBuffer() const { return generation && generation->readsGBuffer; }
-    bool isModel() const { return generation && generation->isModel; } // it is priced and never run
+    bool isModel() const { return generation && generation->isModel; }         // it is priced and never run
+    bool accumulates() const { return config.flags & AGAA_CONFIG_ACCUMULATE; } // frames
     bool hasCounters() const { return config.flags & AGAA_CONFIG_COUNTERS; }
     // Bytes per pixel, besides the aggregates in memory, that record which samples have an aggregate. Two geometry
     // passes need them if a sample may go to any aggregate.

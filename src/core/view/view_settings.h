@@ -29,6 +29,8 @@ struct ViewSettings {
     AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT; // samplePositions: null
     std::vector<float> coveragePositions; // x and y of each, if the host sets the positions of coverage samples
     AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
+    AgaaTemporal temporal = AGAA_TEMPORAL_INIT; // motion: null
+    std::string motionAttribute;                // AgaaTemporal::motion
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
     AgaaSceneFacts facts{};        // announced by the host; they determine layouts, tiers, resources and draw passes
     AgaaSceneFacts variantFacts{}; // within `facts`; they determine the constants and switches of compute passes

@@ -177,7 +177,7 @@ const WrongGoal wrongGoals[] = {
          p.chain(p.fetch);
          p.fetch.maxDraws = p.fetch.maxPrimitives = 0xFFFFFFFF;
      }},
-    {"AgaaConfig::technique = \"taa\"", AGAA_ERROR_UNSUPPORTED, [](GoalParts& p) { p.config.technique = "taa"; }},
+    {"AgaaConfig::technique = \"mlaa\"", AGAA_ERROR_UNSUPPORTED, [](GoalParts& p) { p.config.technique = "mlaa"; }},
     {"a device that is too small for the view", AGAA_ERROR_UNSUPPORTED, [](GoalParts& p) { p.caps.maxImageSize = 1; }},
 };
 

@@ -116,6 +116,7 @@ std::vector<HeaderCase> inputs() {
         chainedCase("AgaaMeasurement", linkConfig),
         chainedCase("AgaaDecoupledCoverage", linkConfig),
         chainedCase("AgaaAdaptiveSampling", linkConfig),
+        chainedCase("AgaaTemporal", linkConfig),
         {"AgaaSceneFacts", "agaaQueryMemory", nullptr,
          [](Test& test, void* structure, const AgaaLog* log) {
              ViewParts parts(test.sdk, nullptr);

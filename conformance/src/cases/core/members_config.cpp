@@ -87,11 +87,12 @@ void addConfig(Suite& suite) {
                       largeNumbers({}),
                       nullptr,
                       {AGAA_NDF_SGGX + 1}});
-    addFlags(suite, {"AgaaConfig.flags/flags", "AgaaConfig::flags",
-                     [](ViewParts& p, uint64_t flags) { p.config.flags = flags; },
-                     AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
-                         AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS,
-                     nullptr});
+    addFlags(suite,
+             {"AgaaConfig.flags/flags", "AgaaConfig::flags",
+              [](ViewParts& p, uint64_t flags) { p.config.flags = flags; },
+              AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
+                  AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS | AGAA_CONFIG_ACCUMULATE,
+              nullptr});
 }
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
@@ -286,6 +287,44 @@ void addAdaptiveSampling(Suite& suite) {
     }
 }
 
+// Tests "taa", and techniques that check the struct and do not use it.
+void addTemporal(Suite& suite) {
+    struct Use {
+        const char* variant;
+        void (*prepare)(ViewParts&);
+    };
+    for (const Use& use : {Use{"", [](ViewParts& p) { p.setTechnique("taa", 1); }}, Use{"/agaa", nullptr}}) {
+        const auto add = [&](const char* promise, const char* member, void (*set)(ViewParts&, double), float least,
+                             float most) {
+            addMember(suite, {std::string("AgaaTemporal.") + promise + use.variant,
+                              member,
+                              set,
+                              {least, above(least), double(most) / 2, below(most), most},
+                              notNumbers({below(least), -1, above(most), 3e38}),
+                              use.prepare});
+        };
+        add(
+            "currentShare/range", "AgaaTemporal::currentShare",
+            [](ViewParts& p, double x) { p.temporal.currentShare = float(x); }, 0.001f, 1);
+        add(
+            "clipDeviations/range", "AgaaTemporal::clipDeviations",
+            [](ViewParts& p, double x) { p.temporal.clipDeviations = float(x); }, 0, 1e6f);
+        add(
+            "depthTolerance/range", "AgaaTemporal::depthTolerance",
+            [](ViewParts& p, double x) { p.temporal.depthTolerance = float(x); }, 0, 1e6f);
+        addMember(suite, {std::string("AgaaTemporal.reserved/zero") + use.variant,
+                          "AgaaTemporal::reserved",
+                          [](ViewParts& p, double x) { p.temporal.reserved = whole(x); },
+                          {0},
+                          largeNumbers({}),
+                          use.prepare,
+                          {1}});
+        addFlags(suite, {std::string("AgaaTemporal.flags/flags") + use.variant, "AgaaTemporal::flags",
+                         [](ViewParts& p, uint64_t flags) { p.temporal.flags = flags; }, AGAA_TEMPORAL_LAST_FRAME_ONLY,
+                         use.prepare});
+    }
+}
+
 void addMeasurement(Suite& suite) {
     addMember(suite, {"AgaaMeasurement.shadingCost/range",
                       "AgaaMeasurement::shadingCost",
@@ -332,6 +371,7 @@ void addConfigMemberCases(Suite& suite) {
     addAggregation(suite);
     addDecoupledCoverage(suite);
     addAdaptiveSampling(suite);
+    addTemporal(suite);
     addMeasurement(suite);
     suite.core("AgaaConfig.layout/null", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);

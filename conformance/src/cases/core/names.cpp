@@ -117,7 +117,7 @@ void testNames(Test& test) {
                        "agaaGetNames(" + std::to_string(kind) + ") does not list \"" + name + "\".");
     };
     expect(AGAA_NAMES_TECHNIQUES,
-           {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"});
+           {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"});
     expect(AGAA_NAMES_LAYOUTS, {"paper16", "precise"});
     expect(AGAA_NAMES_PRESETS, {"paper", "fast", "balanced", "accurate"});
 }
@@ -154,6 +154,34 @@ void testNamesTooSmall(Test& test) {
         test.requireOk(test.sdk.agaaGetNames(kind, &count, names.data()), "agaaGetNames with a longer array");
         test.check(count == needed && !names[needed],
                    "agaaGetNames with a longer array does not return the number of names.");
+    }
+}
+
+void testJitter(Test& test) {
+    for (const uint32_t count : {1u, 2u, 4u, 8u, 16u, 1024u})
+        for (uint64_t i = 0; i < 2 * uint64_t(count); ++i) {
+            float jitter[2] = {7, 7}, again[2];
+            test.requireOk(test.sdk.agaaGetJitter(i, count, jitter), "agaaGetJitter");
+            test.requireOk(test.sdk.agaaGetJitter(i + (UINT64_C(1) << 40) * count, count, again), "agaaGetJitter");
+            test.check(jitter[0] == again[0] && jitter[1] == again[1], "agaaGetJitter does not repeat its positions.");
+            for (const float x : jitter)
+                test.check(x > -0.5f && x < 0.5f, "agaaGetJitter leaves the pixel.");
+            if (count == 1)
+                test.check(jitter[0] == 0 && jitter[1] == 0, "One position is not the centre.");
+        }
+}
+
+void testJitterErrors(Test& test) {
+    expectRefused(test, test.sdk.agaaGetJitter(0, 4, nullptr), AGAA_ERROR_INVALID_ARGUMENT,
+                  "agaaGetJitter with outJitter = null");
+}
+
+void testJitterRange(Test& test) {
+    for (const uint32_t count : {0u, 1025u, 0xFFFFFFFFu}) {
+        float jitter[2] = {7, 7};
+        expectRefused(test, test.sdk.agaaGetJitter(0, count, jitter), AGAA_ERROR_OUT_OF_RANGE,
+                      "agaaGetJitter with count = " + std::to_string(count));
+        test.check(jitter[0] == 7 && jitter[1] == 7, "agaaGetJitter writes on failure.");
     }
 }
 
@@ -222,7 +250,7 @@ void testTierFromName(Test& test) {
 }
 
 void testTierFromNameRefused(Test& test, bool checksOutput) {
-    for (const char* name : {"", "unknown", "GBUFFER", "gbuffe", "gbufferr", " ids", "taa"}) {
+    for (const char* name : {"", "unknown", "GBUFFER", "gbuffe", "gbufferr", " ids", "mlaa"}) {
         uint32_t tier = 0xABCDEF01;
         const AgaaResult result = test.sdk.agaaTierFromName(name, &tier);
         if (checksOutput)
@@ -270,6 +298,9 @@ void addNameCases(Suite& suite) {
                    "agaaGetVersion: the library has another major or minor version than the suite's headers.");
         test.check(test.sdk.agaaGetVersion() == version, "agaaGetVersion returns different versions.");
     });
+    suite.core("agaaGetJitter/outJitter.unchanged", testJitterRange);
+    suite.core("agaaGetJitter/AGAA_ERROR_OUT_OF_RANGE", testJitter);
+    suite.core("agaaGetJitter/AGAA_ERROR_INVALID_ARGUMENT", testJitterErrors);
     suite.core("agaaGetNames/names.null", testNames);
     suite.core("agaaGetNames/AGAA_ERROR_INVALID_ARGUMENT", testNamesInvalid);
     suite.core("agaaGetNames/AGAA_ERROR_BUFFER_TOO_SMALL", testNamesTooSmall);

@@ -43,7 +43,7 @@ void testThreads(Test& test, const std::string& function, uint32_t repeats, cons
 
 // Creates a variant of a view. Some variants are refused, so that threads report errors at the same time.
 void vary(ViewParts& parts, uint32_t variant) {
-    static const char* const techniques[] = {"agaa", "sbaa", "msaa", "agaa", "ssaa", "agaa", "agaa", "taa"};
+    static const char* const techniques[] = {"agaa", "sbaa", "msaa", "agaa", "ssaa", "agaa", "agaa", "mlaa"};
     parts.config.technique = techniques[variant % 8];
     parts.desc.width = 100 + variant;
     parts.config.samples = variant == 6 ? 3 : 4;
@@ -163,14 +163,14 @@ std::string capabilities(const Functions& sdk, uint32_t variant) {
 }
 
 std::string layout(const Functions& sdk, uint32_t variant) {
-    static const char* const names[] = {"precise", "paper16", "taa"};
+    static const char* const names[] = {"precise", "paper16", "mlaa"};
     AgaaLayout out = AGAA_LAYOUT_INIT;
     const AgaaResult result = sdk.agaaGetBuiltinLayout(names[variant % 3], &out);
     return std::to_string(result) + bytesOf(out);
 }
 
 std::string preset(const Functions& sdk, uint32_t variant) {
-    static const char* const names[] = {"paper", "fast", "balanced", "accurate", "taa"};
+    static const char* const names[] = {"paper", "fast", "balanced", "accurate", "mlaa"};
     AgaaConfig config = AGAA_CONFIG_INIT;
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
@@ -185,6 +185,15 @@ std::string names(const Functions& sdk, uint32_t variant) {
     std::string text = std::to_string(sdk.agaaGetNames(variant % 6, &count, list));
     for (const char* name : list)
         text += name ? name : "-";
+    return text;
+}
+
+std::string jitter(const Functions& sdk, uint32_t variant) {
+    std::string text;
+    for (uint64_t i = 0; i < 64; ++i) {
+        float position[2] = {7, 7};
+        text += std::to_string(sdk.agaaGetJitter(i, variant * variant, position)) + bytesOf(position);
+    }
     return text;
 }
 
@@ -203,7 +212,7 @@ std::string stageNames(const Functions& sdk, uint32_t variant) {
 }
 
 std::string tierFromName(const Functions& sdk, uint32_t variant) {
-    static const char* const list[] = {"ids", "gbuffer", "per_sample", "native", "auto", "taa", "layers", ""};
+    static const char* const list[] = {"ids", "gbuffer", "per_sample", "native", "auto", "mlaa", "layers", ""};
     uint32_t tier = 777;
     const AgaaResult result = sdk.agaaTierFromName(list[variant % 8], &tier);
     return std::to_string(result) + std::to_string(tier);
@@ -237,8 +246,9 @@ void addThreadCases(Suite& suite) {
           Row{"agaaApplyChoice", appliedChoice}, Row{"agaaGetAggregateGlsl", aggregateGlsl},
           Row{"agaaGetCoverageGlsl", coverage}, Row{"agaaQueryCapabilities", capabilities},
           Row{"agaaGetBuiltinLayout", layout}, Row{"agaaApplyPreset", preset}, Row{"agaaGetNames", names},
-          Row{"agaaTierName", tierNames}, Row{"agaaStageName", stageNames}, Row{"agaaTierFromName", tierFromName},
-          Row{"agaaVkGetRequirements", vulkan}, Row{"agaaGlGetRequirements", openGl}})
+          Row{"agaaGetJitter", jitter}, Row{"agaaTierName", tierNames}, Row{"agaaStageName", stageNames},
+          Row{"agaaTierFromName", tierFromName}, Row{"agaaVkGetRequirements", vulkan},
+          Row{"agaaGlGetRequirements", openGl}})
         suite.core(std::string(row.function) + "/threads",
                    [row](Test& test) { testThreads(test, row.function, 20, row.answer); });
 }

@@ -178,7 +178,7 @@ void testMixedSamples(Test& test) {
 }
 
 void testCounters(Test& test) {
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+    for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"}) {
         const auto with = [=](uint64_t flags) {
             return [=](ViewParts& p) {
                 p.config.technique = technique;
@@ -490,6 +490,59 @@ void testSampleCounts(Test& test) {
                      ""}});
 }
 
+// Frames are accumulated by their depth.
+void testAccumulation(Test& test) {
+    const auto with = [](const char* technique, uint32_t tier) {
+        return [=](ViewParts& p) {
+            p.setTechnique(technique, 4);
+            p.config.generationTier = tier;
+            if (tier == AGAA_TIER_FRAGMENTS) {
+                p.config.samples = 64;
+                p.chain(p.fetch);
+            }
+            p.config.flags |= AGAA_CONFIG_ACCUMULATE;
+        };
+    };
+    testRows(test, {{"\"single\" and ACCUMULATE", AGAA_OK, with("single", AGAA_TIER_AUTO), ""},
+                    {"\"msaa\" and ACCUMULATE", AGAA_OK, with("msaa", AGAA_TIER_AUTO), ""},
+                    {"\"agaa\" and ACCUMULATE", AGAA_OK, with("agaa", AGAA_TIER_AUTO), ""},
+                    {"\"dcaa\" and ACCUMULATE", unsupported, with("dcaa", AGAA_TIER_AUTO), ""},
+                    {"the tier FRAGMENTS and ACCUMULATE", unsupported, with("agaa", AGAA_TIER_FRAGMENTS), ""}});
+}
+
+// A custom attribute "velocity" with these channels, and its name in AgaaTemporal::motion.
+Change withMotion(const char* technique, uint32_t tier, uint32_t channels, const char* name = "velocity") {
+    return [=](ViewParts& p) {
+        p.setTechnique(technique, 4);
+        p.useLayout();
+        AgaaLayoutAttribute& a = p.layout.attributes[p.layout.attributeCount++];
+        a = AGAA_LAYOUT_ATTRIBUTE_INIT;
+        a.semantic = AGAA_SEMANTIC_CUSTOM;
+        a.channels = channels;
+        a.sampleBits = 16;
+        a.name = "velocity";
+        p.config.generationTier = tier;
+        p.config.flags |= AGAA_CONFIG_ACCUMULATE;
+        p.temporal.motion = name;
+    };
+}
+
+void testMotion(Test& test) {
+    testRows(test, {{"\"taa\" and motion", AGAA_OK, withMotion("taa", AGAA_TIER_AUTO, 2), ""},
+                    {"\"agaa\", the tier GBUFFER and motion", AGAA_OK, withMotion("agaa", AGAA_TIER_GBUFFER, 2), ""},
+                    {"\"agaa\", the tier POST_DEPTH_ATOMICS and motion", unsupported,
+                     withMotion("agaa", AGAA_TIER_POST_DEPTH_ATOMICS, 2), ""},
+                    {"\"msaa\" and motion", unsupported, withMotion("msaa", AGAA_TIER_AUTO, 2), ""}});
+}
+
+void testMotionLayout(Test& test) {
+    testRows(test,
+             {{"motion with 1 channel", AGAA_ERROR_LAYOUT, withMotion("taa", AGAA_TIER_AUTO, 1), ""},
+              {"motion with 3 channels", AGAA_ERROR_LAYOUT, withMotion("taa", AGAA_TIER_AUTO, 3), ""},
+              {"motion without an attribute", AGAA_ERROR_LAYOUT, withMotion("taa", AGAA_TIER_AUTO, 2, "spin"), ""},
+              {"motion with an empty name", AGAA_ERROR_LAYOUT, withMotion("taa", AGAA_TIER_AUTO, 2, ""), ""}});
+}
+
 } // namespace
 
 void addUnsupportedCases(Suite& suite) {
@@ -508,6 +561,9 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
     suite.core("AgaaAdaptiveSampling.targetEvents/AGAA_ERROR_UNSUPPORTED", testTargets);
     suite.core("AGAA_ADAPTIVE_SORTED/AGAA_ERROR_TOO_LARGE", testSorted);
+    suite.core("AGAA_CONFIG_ACCUMULATE/AGAA_ERROR_UNSUPPORTED", testAccumulation);
+    suite.core("AgaaTemporal.motion/AGAA_ERROR_UNSUPPORTED", testMotion);
+    suite.core("AgaaTemporal.motion/AGAA_ERROR_LAYOUT", testMotionLayout);
     suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
     suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
     suite.core("AGAA_VIEW_VERTEX_PULLING/AGAA_ERROR_UNSUPPORTED", testVertexPulling);

@@ -166,8 +166,8 @@ void addLayouts(Rows& rows) {
 }
 
 void addOthers(Rows& rows) {
-    rows.push_back({"AgaaConfig::technique = \"taa\"", AGAA_ERROR_UNSUPPORTED, "taa",
-                    [](ViewParts& p) { p.config.technique = "taa"; }});
+    rows.push_back({"AgaaConfig::technique = \"mlaa\"", AGAA_ERROR_UNSUPPORTED, "mlaa",
+                    [](ViewParts& p) { p.config.technique = "mlaa"; }});
     rows.push_back(
         {"AgaaConfig::technique = \"\"", AGAA_ERROR_UNSUPPORTED, "", [](ViewParts& p) { p.config.technique = ""; }});
     rows.push_back({"AgaaConfig::visibilityTier = AGAA_TIER_LAYERS", AGAA_ERROR_UNSUPPORTED, "layers",

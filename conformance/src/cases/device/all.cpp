@@ -31,6 +31,7 @@ Suite makeSuite() {
     addResizeCases(suite);
     addDeviceCapsCases(suite);
     addFrameRangeCases(suite);
+    addTemporalFrameCases(suite);
     addLightMemberCases(suite);
     addFrameArgumentCases(suite);
     addFrameOrderCases(suite);

@@ -29,6 +29,7 @@ void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);
 void addFrameRangeCases(Suite& suite);
+void addTemporalFrameCases(Suite& suite);
 void addLightMemberCases(Suite& suite);
 void addFrameArgumentCases(Suite& suite);
 void addFrameOrderCases(Suite& suite);

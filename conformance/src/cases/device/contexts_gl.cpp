@@ -117,7 +117,7 @@ void testConstants(Test& test) {
             d.gl.constants = constants;
         });
         for (const char* technique :
-             {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
+             {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
             const std::string what = "agaaGlCreateView of \"" + std::string(technique) +
                                      "\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants);
             ViewDescription description(&test.device());

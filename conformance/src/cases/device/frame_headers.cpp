@@ -42,6 +42,15 @@ HeaderCase frameCase(Rig& rig) {
     return {"AgaaFrame", rig.function(), nullptr, call};
 }
 
+HeaderCase temporalFrameCase(Rig& rig) {
+    const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
+        AgaaFrame frame = rig.nextFrame();
+        frame.pNext = structure;
+        return logged(rig, log, [&] { return rig.record(frame); });
+    };
+    return {"AgaaTemporalFrame", rig.function(), nullptr, call, false, true, true};
+}
+
 template <class Native> HeaderCase nativeFrameCase(Rig& rig, const char* name) {
     const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
         AgaaFrame frame = rig.nextFrame();
@@ -137,19 +146,18 @@ HeaderCase factsCase(Rig& rig) {
     return {"AgaaFactReport", "agaaGetFactReport", nullptr, call, true};
 }
 
+// "single" has the fewest pipelines.
 void add(Suite& suite, const char* name, const std::vector<Backend>& backends,
-         const std::function<HeaderCase(Rig&)>& makeCase) {
-    suite.add(std::string(name), backends,
-              [makeCase, isSimple = std::string(name).find("DrawPass") == std::string::npos](Test& test) {
-                  // "single" has the fewest pipelines. "agaa" has more than one draw pass.
-                  Rig rig(test, [isSimple](ViewDescription& d) {
-                      setTechnique(d, isSimple ? "single" : "agaa", 4);
-                      d.config.flags |= AGAA_CONFIG_CHECK_FACTS;
-                  });
-                  const Image expected = rig.render();
-                  testHeader(test, makeCase(rig));
-                  expectNextFrame(rig, expected, "calls with wrong headers");
-              });
+         const std::function<HeaderCase(Rig&)>& makeCase, const char* technique = "single") {
+    suite.add(std::string(name), backends, [makeCase, technique](Test& test) {
+        Rig rig(test, [technique](ViewDescription& d) {
+            setTechnique(d, technique, 4);
+            d.config.flags |= AGAA_CONFIG_CHECK_FACTS;
+        });
+        const Image expected = rig.render();
+        testHeader(test, makeCase(rig));
+        expectNextFrame(rig, expected, "calls with wrong headers");
+    });
 }
 
 } // namespace
@@ -158,14 +166,17 @@ void addFrameHeaderCases(Suite& suite) {
     const std::vector<Backend> vk = {Backend::Vulkan}, gl = {Backend::OpenGl},
                                both = {Backend::Vulkan, Backend::OpenGl};
     add(suite, "AgaaFrame/header", both, frameCase);
-    add(suite, "AgaaDrawPass/header", both, passCase);
+    add(suite, "AgaaTemporalFrame/header", both, temporalFrameCase, "taa");
+    add(suite, "AgaaDrawPass/header", both, passCase, "agaa"); // it has multiple draw passes
     add(suite, "AgaaFrameStatistics/header", both, statisticsCase);
     add(suite, "AgaaFrameValidation/header", both, validationCase);
     add(suite, "AgaaFactReport/header", both, factsCase);
     add(suite, "AgaaVkFrame/header", vk, [](Rig& rig) { return nativeFrameCase<AgaaVkFrame>(rig, "AgaaVkFrame"); });
     add(suite, "AgaaGlFrame/header", gl, [](Rig& rig) { return nativeFrameCase<AgaaGlFrame>(rig, "AgaaGlFrame"); });
-    add(suite, "AgaaVkDrawPass/header", vk, [](Rig& rig) { return nativePassCase(rig, "AgaaVkDrawPass"); });
-    add(suite, "AgaaGlDrawPass/header", gl, [](Rig& rig) { return nativePassCase(rig, "AgaaGlDrawPass"); });
+    add(
+        suite, "AgaaVkDrawPass/header", vk, [](Rig& rig) { return nativePassCase(rig, "AgaaVkDrawPass"); }, "agaa");
+    add(
+        suite, "AgaaGlDrawPass/header", gl, [](Rig& rig) { return nativePassCase(rig, "AgaaGlDrawPass"); }, "agaa");
     add(suite, "AgaaVkSurface/header", vk, [](Rig& rig) { return nativeSurfaceCase(rig, "AgaaVkSurface"); });
     add(suite, "AgaaGlSurface/header", gl, [](Rig& rig) { return nativeSurfaceCase(rig, "AgaaGlSurface"); });
     add(suite, "AgaaSurface/header/agaaGetSurface", both, [](Rig& rig) {

@@ -224,7 +224,6 @@ void build(PlanBuilder& b) {
     b.bind(further, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     b.bindOutput(further);
     further.compute().dispatch = listed(a, AGAA_FURTHER_AT);
-    b.copyCounters();
 }
 
 } // namespace

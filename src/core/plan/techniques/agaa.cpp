@@ -60,7 +60,6 @@ void shadeFromFragments(PlanBuilder& b) {
     b.bindLighting(shade);
     b.bindOutput(shade);
     lists.finish(b);
-    b.copyCounters();
 }
 
 void resolve(ResolvedView& view) {

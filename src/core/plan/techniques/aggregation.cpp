@@ -120,7 +120,6 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
     bindDepth(shade);
     b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, aggregates);
     setRecord(shade, a);
-    b.copyCounters();
 }
 
 } // namespace
@@ -184,7 +183,6 @@ void shadeFromGBuffer(PlanBuilder& b) {
     const GBuffer gbuffer = makeGBuffer(b);
     b.cullLights([&](Pass& pass) { gbuffer.bindDepth(b, pass); });
     shadeAtOnce(b, "aggregate and shade", "aggregate_gbuffer", gbuffer);
-    b.copyCounters();
 }
 
 void shadeFromIds(PlanBuilder& b) {
@@ -193,7 +191,6 @@ void shadeFromIds(PlanBuilder& b) {
     const ResourceId complexPixels = b.deferredPixels();
     b.deferPixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), complexPixels);
     b.consumeDeferred(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), complexPixels);
-    b.copyCounters();
 }
 
 void buildFromIds(PlanBuilder& b, const Aggregation& a) {

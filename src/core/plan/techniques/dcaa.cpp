@@ -78,7 +78,6 @@ void buildExact(PlanBuilder& b) {
     b.bindLighting(shade);
     b.bindOutput(shade);
     lists.finish(b);
-    b.copyCounters();
 }
 
 ResourceId surfaceBuffer(PlanBuilder& b) {
@@ -166,7 +165,6 @@ void build(PlanBuilder& b) {
     else
         b.bind(shade, slot::Surfaces, BindingType::StorageBuffer, kept);
     setRecord(shade, surfaces);
-    b.copyCounters();
 }
 
 constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier, &rasterOrderTier};

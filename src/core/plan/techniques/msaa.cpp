@@ -32,7 +32,6 @@ static void build(PlanBuilder& b) {
     b.bind(resolve, slot::Color, BindingType::Texture, color);
     b.bind(resolve, slot::Depth, BindingType::Texture, depth);
     b.bindOutput(resolve);
-    b.copyCounters();
 }
 
 // There is no bound, because each visible primitive of a pixel is shaded.

@@ -7,6 +7,8 @@ namespace agaa {
 
 extern const Technique singleTechnique;
 extern const Technique fxaaTechnique;
+extern const Technique smaaTechnique;
+extern const Technique taaTechnique;
 extern const Technique msaaTechnique;
 extern const Technique ssaaTechnique;
 extern const Technique simpleComplexTechnique;

@@ -1,0 +1,261 @@
+// Accumulation over frames: "taa", and other techniques with AGAA_CONFIG_ACCUMULATE. Each graphics API instantiates
+// these.
+#pragma once
+
+#include "view_bench.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace agaa::test {
+
+// Frames of 48 x 32 pixels of rectangles that emit light. Rectangles are in pixels.
+inline ViewSettings historySettings(const char* technique = "taa") {
+    ViewSettings settings;
+    settings.config.technique = technique;
+    settings.facts.shadowMapCount = 0;
+    settings.config.temporal.currentShare = 0.001f;
+    settings.config.temporal.clipDeviations = 0;
+    settings.projection = pixelOrthographic(48, 32, 10);
+    return settings;
+}
+
+inline Material emitting(const glm::vec3& light) {
+    Material material;
+    material.emissive = glm::vec4(light, 0);
+    return material;
+}
+
+inline void addBox(std::vector<Triangle>& list, float left, float right, float depth, const glm::vec3& light) {
+    for (const Triangle& t : rectangle(left, -10, right, 42, depth, emitting(light)))
+        list.push_back(t);
+}
+
+// A camera that moved by `moved` pixels to the right since the previous frame.
+inline AgaaTemporalFrame cameraMove(const ViewSettings& settings, float moved = 0) {
+    AgaaTemporalFrame history = AGAA_TEMPORAL_FRAME_INIT;
+    history.resets = 0;
+    history.toPreviousView[12] = moved;
+    std::copy_n(&settings.projection[0][0], 16, history.previousProjection);
+    return history;
+}
+
+// Renders frames of one view, each with its own triangles and history.
+template <class Host> class HistoryBench {
+public:
+    HistoryBench(typename Host::Context& context, const ViewSettings& settings, const std::vector<Triangle>& triangles)
+        : history_(AGAA_TEMPORAL_FRAME_INIT), bench_(context, settings, shot(triangles)) {
+        bench_.setTriangles(triangles);
+    }
+
+    std::vector<float> next(const AgaaTemporalFrame& history) {
+        history_ = history;
+        return bench_.rgb();
+    }
+    std::vector<float> next(const AgaaTemporalFrame& history, const std::vector<Triangle>& triangles) {
+        bench_.setTriangles(triangles);
+        return next(history);
+    }
+
+private:
+    Shot shot(const std::vector<Triangle>& triangles) {
+        return {.triangles = triangles, .lights = {}, .change = [this](AgaaFrame& frame) { frame.pNext = &history_; }};
+    }
+
+    AgaaTemporalFrame history_;
+    ViewBench<Host> bench_;
+};
+
+inline float largestDifference(const std::vector<float>& a, const std::vector<float>& b, uint32_t first = 0,
+                               uint32_t last = 47) {
+    float largest = 0;
+    for (uint32_t y = 0; y < 32; ++y)
+        for (size_t i = 3 * (size_t(y) * 48 + first); i < 3 * (size_t(y) * 48 + last + 1); ++i)
+            largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+}
+
+template <class Host> class HistoryCases : public testing::Test {
+protected:
+    using Bench = HistoryBench<Host>;
+    std::vector<float> single(const std::vector<Triangle>& triangles) {
+        return show(context, historySettings("single"), {.triangles = triangles, .lights = {}}).rgb;
+    }
+    typename Host::Context context;
+};
+TYPED_TEST_SUITE_P(HistoryCases);
+
+// The known answer: the mean of all frames. Images of 16 bits are off by 2^-11 in each frame at most.
+TYPED_TEST_P(HistoryCases, AStillImageIsTheMeanOfItsFrames) {
+    const ViewSettings settings = historySettings();
+    std::vector<Triangle> walls[6];
+    for (int i = 0; i < 6; ++i)
+        addBox(walls[i], -10, 58, 5, glm::vec3(0.1f + 0.2f * float(i), 0.5f, 1.0f - 0.1f * float(i)));
+    typename TestFixture::Bench bench(this->context, settings, walls[0]);
+    std::vector<float> mean(3 * 48 * 32, 0.0f), found;
+    for (int i = 0; i < 6; ++i) {
+        const std::vector<float> frame = this->single(walls[i]);
+        for (size_t k = 0; k < mean.size(); ++k)
+            mean[k] += (frame[k] - mean[k]) / float(i + 1);
+        found = bench.next(cameraMove(settings), walls[i]);
+    }
+    EXPECT_LT(largestDifference(found, mean), 2e-3f);
+}
+
+TYPED_TEST_P(HistoryCases, SharesOfFramesDecay) {
+    ViewSettings settings = historySettings();
+    settings.config.temporal.currentShare = 0.5f;
+    std::vector<Triangle> dark, bright;
+    addBox(dark, -10, 58, 5, glm::vec3(0));
+    addBox(bright, -10, 58, 5, glm::vec3(1));
+    typename TestFixture::Bench bench(this->context, settings, bright);
+    bench.next(cameraMove(settings), bright);
+    float expected = 1;
+    for (int i = 0; i < 4; ++i) {
+        const std::vector<float> found = bench.next(cameraMove(settings), dark);
+        expected *= 0.5f;
+        EXPECT_NEAR(found[0], expected, 1e-3f);
+    }
+    // The previous frame alone.
+    settings.config.temporal.flags = AGAA_TEMPORAL_LAST_FRAME_ONLY;
+    typename TestFixture::Bench pair(this->context, settings, bright);
+    pair.next(cameraMove(settings), bright);
+    EXPECT_NEAR(pair.next(cameraMove(settings), dark)[0], 0.5f, 1e-3f);
+    EXPECT_NEAR(pair.next(cameraMove(settings), dark)[0], 0.0f, 1e-3f);
+}
+
+TYPED_TEST_P(HistoryCases, ResetsForgetEarlierFrames) {
+    const ViewSettings settings = historySettings();
+    std::vector<Triangle> dark, bright;
+    addBox(dark, -10, 58, 5, glm::vec3(0.25f));
+    addBox(bright, -10, 58, 5, glm::vec3(1));
+    typename TestFixture::Bench bench(this->context, settings, bright);
+    const std::vector<float> first = bench.next(cameraMove(settings), bright);
+    EXPECT_LT(largestDifference(first, this->single(bright)), 1e-3f) << "a view has no history at first";
+    const std::vector<float> after = bench.next(AGAA_TEMPORAL_FRAME_INIT, dark);
+    EXPECT_LT(largestDifference(after, this->single(dark)), 1e-3f);
+    EXPECT_GT(largestDifference(bench.next(cameraMove(settings), bright), this->single(bright)), 0.3f);
+}
+
+// Stripes of unequal widths move by whole pixels: the image is that of one frame, where both frames saw it.
+TYPED_TEST_P(HistoryCases, HistoryFollowsTheCamera) {
+    const ViewSettings settings = historySettings();
+    const auto stripes = [](float moved) {
+        std::vector<Triangle> list;
+        for (int i = -4; i < 16; ++i)
+            addBox(list, float(5 * i + i % 3) - moved, float(5 * (i + 1) + (i + 1) % 3) - moved, 5,
+                   glm::vec3(i & 1 ? 0.8f : 0.1f, 0.3f, 0.1f * float(i & 7)));
+        return list;
+    };
+    for (const bool isTold : {true, false}) {
+        typename TestFixture::Bench bench(this->context, settings, stripes(0));
+        bench.next(cameraMove(settings));
+        const std::vector<float> found = bench.next(cameraMove(settings, isTold ? 3.0f : 0.0f), stripes(3));
+        const float difference = largestDifference(found, this->single(stripes(3)), 0, 42);
+        if (isTold) {
+            EXPECT_LT(difference, 2e-3f);
+        } else {
+            EXPECT_GT(difference, 0.2f);
+        }
+    }
+}
+
+// A near box goes away. What it hid has no history; with any tolerance of distances, its ghost would remain.
+TYPED_TEST_P(HistoryCases, DisoccludedPixelsHaveNoGhosts) {
+    for (const bool toleratesAll : {false, true}) {
+        ViewSettings settings = historySettings();
+        settings.config.temporal.depthTolerance = toleratesAll ? 1e6f : 0.05f;
+        std::vector<Triangle> wall, both;
+        addBox(wall, -10, 58, 8, glm::vec3(0.2f));
+        both = wall;
+        addBox(both, 16, 32, 3, glm::vec3(1));
+        typename TestFixture::Bench bench(this->context, settings, both);
+        bench.next(cameraMove(settings));
+        const std::vector<float> found = bench.next(cameraMove(settings), wall);
+        const float ghost = largestDifference(found, this->single(wall), 18, 29);
+        if (toleratesAll) {
+            EXPECT_GT(ghost, 0.3f);
+        } else {
+            EXPECT_LT(ghost, 1e-3f);
+        }
+    }
+}
+
+// Around an even colour no other colour is likely.
+TYPED_TEST_P(HistoryCases, HistoryIsClippedToTheColoursAround) {
+    ViewSettings settings = historySettings();
+    settings.config.temporal.clipDeviations = 1;
+    std::vector<Triangle> red, green;
+    addBox(red, -10, 58, 5, glm::vec3(1, 0, 0));
+    addBox(green, -10, 58, 5, glm::vec3(0, 0.5f, 0));
+    typename TestFixture::Bench bench(this->context, settings, red);
+    bench.next(cameraMove(settings));
+    EXPECT_LT(largestDifference(bench.next(cameraMove(settings), green), this->single(green)), 2e-3f);
+}
+
+// A box of stripes moves by four pixels before a wall that stands still.
+TYPED_TEST_P(HistoryCases, HistoryFollowsMotionVectors) {
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
+    ASSERT_EQ(agaaGetBuiltinLayout("precise", &layout), AGAA_OK);
+    AgaaLayoutAttribute velocity = AGAA_LAYOUT_ATTRIBUTE_INIT;
+    velocity.semantic = AGAA_SEMANTIC_CUSTOM;
+    velocity.channels = 2;
+    velocity.sampleBits = 16;
+    velocity.name = "velocity";
+    layout.attributes[layout.attributeCount++] = velocity;
+    ViewSettings settings = historySettings();
+    settings.config.layout = &layout;
+    settings.config.temporal.motion = "velocity";
+    settings.surface = "if (position.z > -4.0) s.velocity = (32768.0 + 32767.0 * vec2(-4.0 / 48.0, 0.0)) / 65535.0; "
+                       "else s.velocity = vec2(0.0);";
+    const auto scene = [](float moved) {
+        std::vector<Triangle> list;
+        addBox(list, -10, 58, 8, glm::vec3(0.2f, 0.9f, 0.2f));
+        for (int i = 0; i < 5; ++i)
+            addBox(list, 6 + moved + 4 * float(i), 10 + moved + 4 * float(i), 3,
+                   glm::vec3(0.2f * float(i), 0.1f, 0.5f));
+        return list;
+    };
+    typename TestFixture::Bench bench(this->context, settings, scene(0));
+    bench.next(cameraMove(settings));
+    const std::vector<float> found = bench.next(cameraMove(settings), scene(4));
+    EXPECT_LT(largestDifference(found, this->single(scene(4)), 12, 27), 2e-3f);
+    settings.config.temporal.motion = nullptr;
+    typename TestFixture::Bench untold(this->context, settings, scene(0));
+    untold.next(cameraMove(settings));
+    EXPECT_GT(largestDifference(untold.next(cameraMove(settings), scene(4)), this->single(scene(4)), 12, 27), 0.1f);
+}
+
+// Any technique with a depth buffer: equal frames have the image of one, within two roundings of 16 bits at the largest
+// emission, 16.
+TYPED_TEST_P(HistoryCases, OtherTechniquesAccumulate) {
+    const std::vector<Triangle> triangles = randomTriangles({.triangles = 60, .masked = 0.3f}, 12);
+    for (const char* technique : {"agaa", "msaa", "smaa"}) {
+        SCOPED_TRACE(technique);
+        ViewSettings settings = historySettings(technique);
+        settings.projection = perspective(60, 1.5f, 0.1f, 100);
+        const std::vector<float> expected = show(this->context, settings, {.triangles = triangles, .lights = {}}).rgb;
+        settings.config.flags |= AGAA_CONFIG_ACCUMULATE;
+        typename TestFixture::Bench bench(this->context, settings, triangles);
+        bench.next(cameraMove(settings));
+        EXPECT_LT(largestDifference(bench.next(cameraMove(settings)), expected), 0.016f);
+    }
+}
+
+TYPED_TEST_P(HistoryCases, ViewsWithoutDepthAreRefused) {
+    ViewSettings settings = historySettings("dcaa");
+    settings.config.samples = 64;
+    settings.config.generationTier = AGAA_TIER_MATERIAL_LISTS;
+    settings.config.flags |= AGAA_CONFIG_ACCUMULATE;
+    expectRefused(this->context, settings, AGAA_ERROR_UNSUPPORTED, "dcaa");
+    settings = historySettings("taa");
+    settings.config.temporal.motion = "nothing";
+    expectRefused(this->context, settings, AGAA_ERROR_LAYOUT, "an unknown attribute");
+}
+
+REGISTER_TYPED_TEST_SUITE_P(HistoryCases, AStillImageIsTheMeanOfItsFrames, SharesOfFramesDecay,
+                            ResetsForgetEarlierFrames, HistoryFollowsTheCamera, DisoccludedPixelsHaveNoGhosts,
+                            HistoryIsClippedToTheColoursAround, HistoryFollowsMotionVectors, OtherTechniquesAccumulate,
+                            ViewsWithoutDepthAreRefused);
+
+} // namespace agaa::test

@@ -1,0 +1,14 @@
+// Filters and accumulation of shaded images, by Vulkan.
+#include "show.h"
+
+#include "filter_cases.h"
+#include "history_cases.h"
+
+namespace agaa::test {
+namespace {
+
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FilterCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HistoryCases, VulkanHost);
+
+} // namespace
+} // namespace agaa::test
