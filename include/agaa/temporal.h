@@ -31,17 +31,20 @@ typedef struct AgaaTemporal {
      * Requires a technique or tier that shades a G-buffer: others fail with AGAA_ERROR_UNSUPPORTED. The name of no
      * attribute, or of another one, fails with AGAA_ERROR_LAYOUT. Read during the call only. */
     const char* motion;
-    float currentShare;   /* smallest share of a frame in the image, [0.001, 1] */
+    float currentShare;   /* smallest share of a frame in the image, [0.001, 1]; LAST_FRAME_ONLY does not use it */
     float clipDeviations; /* size of the clipping box in standard deviations, [0, 1e6]; 0: history is not clipped */
-    float depthTolerance; /* largest change of the distance of a surface that is the same, as a share of it, [0, 1e6] */
+    float depthTolerance; /* largest change of a surface's distance between frames, besides the camera's motion, as a
+                             share of it, or of half the width of an orthographic view, [0, 1e6] */
     uint32_t reserved;    /* 0 */
 } AgaaTemporal;
 #define AGAA_TEMPORAL_INIT                                                                                             \
     { AGAA_STRUCTURE_TYPE_TEMPORAL, (uint32_t)sizeof(AgaaTemporal), NULL, 0, NULL, 0.0625f, 1.0f, 0.05f, 0 }
 AGAA_API void AGAA_CALL agaaInitTemporal(AgaaTemporal* outTemporal, size_t structSize);
 
-/* The camera of the previous frame. Chain it to AgaaFrame in each frame of a view that accumulates; other views do not
- * use it. A frame without it fails with AGAA_ERROR_INVALID_ARGUMENT. It is read with AGAA_SEGMENT_SHADING. */
+/* The camera of the previous frame of the view, the last one whose recording calls returned AGAA_OK. After a frame that
+ * was recorded in part or discarded, the next one has no history. Chain it to AgaaFrame in each frame of a view that
+ * accumulates; other views do not use it. A frame without it fails with AGAA_ERROR_INVALID_ARGUMENT. It is read with
+ * AGAA_SEGMENT_SHADING. */
 typedef struct AgaaTemporalFrame {
     uint32_t sType;
     uint32_t structSize;

@@ -137,25 +137,74 @@ TYPED_TEST_P(HistoryCases, ResetsForgetEarlierFrames) {
     EXPECT_GT(largestDifference(bench.next(cameraMove(settings), bright), this->single(bright)), 0.3f);
 }
 
-// Stripes of unequal widths move by whole pixels: the image is that of one frame, where both frames saw it.
+inline std::vector<float> meanOf(const std::vector<float>& a, const std::vector<float>& b) {
+    std::vector<float> mean(a.size());
+    for (size_t i = 0; i < a.size(); ++i)
+        mean[i] = 0.5f * (a[i] + b[i]);
+    return mean;
+}
+
+// Stripes of unequal widths move by whole pixels and become darker: the image is the mean of both lights, where both
+// frames saw it.
 TYPED_TEST_P(HistoryCases, HistoryFollowsTheCamera) {
     const ViewSettings settings = historySettings();
-    const auto stripes = [](float moved) {
+    const auto stripes = [](float moved, float light) {
         std::vector<Triangle> list;
         for (int i = -4; i < 16; ++i)
             addBox(list, float(5 * i + i % 3) - moved, float(5 * (i + 1) + (i + 1) % 3) - moved, 5,
-                   glm::vec3(i & 1 ? 0.8f : 0.1f, 0.3f, 0.1f * float(i & 7)));
+                   light * glm::vec3(i & 1 ? 0.8f : 0.1f, 0.3f, 0.1f * float(i & 7)));
         return list;
     };
+    const std::vector<float> expected = meanOf(this->single(stripes(3, 1)), this->single(stripes(3, 0.5f)));
     for (const bool isTold : {true, false}) {
-        typename TestFixture::Bench bench(this->context, settings, stripes(0));
+        typename TestFixture::Bench bench(this->context, settings, stripes(0, 1));
         bench.next(cameraMove(settings));
-        const std::vector<float> found = bench.next(cameraMove(settings, isTold ? 3.0f : 0.0f), stripes(3));
-        const float difference = largestDifference(found, this->single(stripes(3)), 0, 42);
+        const std::vector<float> found = bench.next(cameraMove(settings, isTold ? 3.0f : 0.0f), stripes(3, 0.5f));
+        const float difference = largestDifference(found, expected, 0, 42);
         if (isTold) {
             EXPECT_LT(difference, 2e-3f);
         } else {
             EXPECT_GT(difference, 0.2f);
+        }
+    }
+}
+
+// A jittered camera that stands still looks history up in the same pixels: the image is the mean of both frames. The
+// triangles move as the projection would move them.
+TYPED_TEST_P(HistoryCases, JitterIsNoMotion) {
+    const ViewSettings settings = historySettings();
+    const auto scene = [](glm::vec2 moved) {
+        std::vector<Triangle> list;
+        addBox(list, -10, 58, 8, glm::vec3(0.1f));
+        for (const Triangle& t : rectangle(20 + moved.x, 10 + moved.y, 58, 42, 7, emitting(glm::vec3(1))))
+            list.push_back(t);
+        return list;
+    };
+    const glm::vec2 offset(0.4f, -0.3f);
+    const std::vector<float> expected = meanOf(this->single(scene({0, 0})), this->single(scene(offset)));
+    for (const bool isTold : {true, false}) {
+        AgaaTemporalFrame history = AGAA_TEMPORAL_FRAME_INIT;
+        bool isMoved = false;
+        ViewBench<TypeParam> bench(this->context, settings,
+                                   {.triangles = scene({0, 0}), .lights = {}, .change = [&](AgaaFrame& frame) {
+                                        frame.pNext = &history;
+                                        if (isMoved) {
+                                            frame.projection[12] += 2 * offset.x / 48;
+                                            frame.projection[13] += 2 * offset.y / 32;
+                                        }
+                                    }});
+        bench.setTriangles(scene({0, 0}));
+        bench.rgb();
+        history = cameraMove(settings);
+        history.jitter[0] = isTold ? offset.x : -offset.x;
+        history.jitter[1] = isTold ? offset.y : -offset.y;
+        isMoved = true;
+        bench.setTriangles(scene(offset));
+        const float difference = largestDifference(bench.rgb(), expected);
+        if (isTold) {
+            EXPECT_LT(difference, 2e-3f);
+        } else {
+            EXPECT_GT(difference, 0.05f);
         }
     }
 }
@@ -208,22 +257,23 @@ TYPED_TEST_P(HistoryCases, HistoryFollowsMotionVectors) {
     settings.config.temporal.motion = "velocity";
     settings.surface = "if (position.z > -4.0) s.velocity = (32768.0 + 32767.0 * vec2(-4.0 / 48.0, 0.0)) / 65535.0; "
                        "else s.velocity = vec2(0.0);";
-    const auto scene = [](float moved) {
+    const auto scene = [](float moved, float light) {
         std::vector<Triangle> list;
         addBox(list, -10, 58, 8, glm::vec3(0.2f, 0.9f, 0.2f));
         for (int i = 0; i < 5; ++i)
             addBox(list, 6 + moved + 4 * float(i), 10 + moved + 4 * float(i), 3,
-                   glm::vec3(0.2f * float(i), 0.1f, 0.5f));
+                   light * glm::vec3(0.2f * float(i), 0.1f, 0.5f));
         return list;
     };
-    typename TestFixture::Bench bench(this->context, settings, scene(0));
+    const std::vector<float> expected = meanOf(this->single(scene(4, 1)), this->single(scene(4, 0.5f)));
+    typename TestFixture::Bench bench(this->context, settings, scene(0, 1));
     bench.next(cameraMove(settings));
-    const std::vector<float> found = bench.next(cameraMove(settings), scene(4));
-    EXPECT_LT(largestDifference(found, this->single(scene(4)), 12, 27), 2e-3f);
+    const std::vector<float> found = bench.next(cameraMove(settings), scene(4, 0.5f));
+    EXPECT_LT(largestDifference(found, expected, 12, 27), 2e-3f);
     settings.config.temporal.motion = nullptr;
-    typename TestFixture::Bench untold(this->context, settings, scene(0));
+    typename TestFixture::Bench untold(this->context, settings, scene(0, 1));
     untold.next(cameraMove(settings));
-    EXPECT_GT(largestDifference(untold.next(cameraMove(settings), scene(4)), this->single(scene(4)), 12, 27), 0.1f);
+    EXPECT_GT(largestDifference(untold.next(cameraMove(settings), scene(4, 0.5f)), expected, 12, 27), 0.1f);
 }
 
 // Any technique with a depth buffer: equal frames have the image of one, within two roundings of 16 bits at the largest
@@ -248,14 +298,16 @@ TYPED_TEST_P(HistoryCases, ViewsWithoutDepthAreRefused) {
     settings.config.generationTier = AGAA_TIER_MATERIAL_LISTS;
     settings.config.flags |= AGAA_CONFIG_ACCUMULATE;
     expectRefused(this->context, settings, AGAA_ERROR_UNSUPPORTED, "dcaa");
+    settings.config.coverage.flags = AGAA_COVERAGE_DEPTH_PREPASS;
+    expectRefused(this->context, settings, AGAA_ERROR_UNSUPPORTED, "the depth prepass of dcaa");
     settings = historySettings("taa");
     settings.config.temporal.motion = "nothing";
     expectRefused(this->context, settings, AGAA_ERROR_LAYOUT, "an unknown attribute");
 }
 
 REGISTER_TYPED_TEST_SUITE_P(HistoryCases, AStillImageIsTheMeanOfItsFrames, SharesOfFramesDecay,
-                            ResetsForgetEarlierFrames, HistoryFollowsTheCamera, DisoccludedPixelsHaveNoGhosts,
-                            HistoryIsClippedToTheColoursAround, HistoryFollowsMotionVectors, OtherTechniquesAccumulate,
-                            ViewsWithoutDepthAreRefused);
+                            ResetsForgetEarlierFrames, HistoryFollowsTheCamera, JitterIsNoMotion,
+                            DisoccludedPixelsHaveNoGhosts, HistoryIsClippedToTheColoursAround,
+                            HistoryFollowsMotionVectors, OtherTechniquesAccumulate, ViewsWithoutDepthAreRefused);
 
 } // namespace agaa::test

@@ -18,6 +18,10 @@ void checkRotation(const float* m, const char* name) {
             if (!(std::fabs(dot - (i == j ? 1.0f : 0.0f)) <= 1e-3f))
                 fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is not a rotation.", name));
         }
+    const float determinant =
+        m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+    if (determinant < 0)
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s has a reflection; hosts with left-handed axes negate z.", name));
 }
 
 void checkProjection(const float (&p)[16], const char* name) {
@@ -42,10 +46,6 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
         checkFinite(element, "AgaaFrame::view");
     const float* v = frame.view;
     checkRotation(v, "AgaaFrame::view");
-    const float determinant =
-        v[0] * (v[5] * v[10] - v[6] * v[9]) - v[4] * (v[1] * v[10] - v[2] * v[9]) + v[8] * (v[1] * v[6] - v[2] * v[5]);
-    require(determinant > 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaFrame::view has a reflection; hosts with left-handed axes negate z (AgaaFrame::view).");
     require(v[3] == 0 && v[7] == 0 && v[11] == 0 && v[15] == 1, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::view has a last row other than 0, 0, 0, 1; matrices are column-major.");
     if (v[12] != 0 || v[13] != 0 || v[14] != 0)

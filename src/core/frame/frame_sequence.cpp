@@ -58,7 +58,8 @@ uint32_t FrameSequence::slotOf(const AgaaFrame& frame) const {
 
 HistoryTurn FrameSequence::turnOf(const AgaaFrame& frame) const {
     const bool isNew = begins(frame);
-    return {uint32_t((frames_ + (isNew ? 1 : 0)) & 1), isNew ? frame_ : previousFrame_};
+    const uint64_t previous = isNew ? (hasGap_ ? 0 : frame_) : previousFrame_;
+    return {uint32_t((frames_ + (isNew ? 1 : 0)) & 1), previous};
 }
 
 static FrameContent contentOf(const AgaaFrame& frame) {
@@ -72,7 +73,8 @@ static FrameContent contentOf(const AgaaFrame& frame) {
 void FrameSequence::recorded(const AgaaFrame& frame) {
     if (begins(frame)) {
         slot_ = slotOf(frame);
-        previousFrame_ = frame_;
+        previousFrame_ = hasGap_ ? 0 : frame_;
+        hasGap_ = false;
         ++frames_;
         frame_ = frame.frameIndex;
         camera_ = cameraOf(frame);
@@ -88,11 +90,13 @@ void FrameSequence::recorded(const AgaaFrame& frame) {
 }
 
 void FrameSequence::failed(const AgaaFrame& frame) {
+    hasGap_ = true;
     if (!begins(frame))
         segments_ = AGAA_SEGMENT_ALL;
 }
 
 void FrameSequence::abortedAfterExecution(const AgaaFrame& frame) {
+    hasGap_ = true;
     slots_[slotOf(frame)].complete = false;
     segments_ = AGAA_SEGMENT_ALL;
 }

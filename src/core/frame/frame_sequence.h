@@ -52,6 +52,7 @@ private:
     uint64_t frame_ = 0;
     uint64_t previousFrame_ = 0; // recorded before it
     uint64_t frames_ = 0;        // number of frames that were begun
+    bool hasGap_ = false;        // the frame after frame_ failed
     uint32_t slot_ = 0;
     uint64_t segments_ = 0;          // of the frame that were recorded
     std::array<float, 32> camera_{}; // view and projection of the frame

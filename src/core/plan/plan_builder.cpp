@@ -110,7 +110,9 @@ ResourceId PlanBuilder::depth(bool needsStencil, uint32_t samples) {
         plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
         note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.", formatName(plan.depthFormat)));
     }
-    return samples ? multisampledImage("depth", plan.depthFormat, samples) : image("depth", plan.depthFormat, true);
+    if (samples)
+        return multisampledImage("depth", plan.depthFormat, samples);
+    return sceneDepth = image("depth", plan.depthFormat, true);
 }
 
 Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment) {

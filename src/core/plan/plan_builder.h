@@ -84,6 +84,10 @@ public:
     void note(std::string text) { plan.notes.push_back(std::move(text)); }
 
     Plan plan;
+    // What a pass after the technique's own may read: the depth at the target's rate, and the attachments of a G-buffer
+    // that has all draws. noResource and empty if the technique has none.
+    ResourceId sceneDepth = noResource;
+    std::vector<ResourceId> sceneAttachments;
 
 private:
     bool isSwitchedOn(Switch which) const;

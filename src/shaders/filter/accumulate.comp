@@ -13,7 +13,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(AGAA_BINDING_COLOR) uniform sampler2D agaa_shaded;
 #if AGAA_MOTION && !defined(AGAA_HOST_GBUFFER)
-layout(AGAA_BINDING_MOTION) uniform AGAA_TARGET_TEXTURE agaa_motion;
+layout(AGAA_BINDING_MOTION_X) uniform AGAA_TARGET_TEXTURE agaa_motionX;
+layout(AGAA_BINDING_MOTION_Y) uniform AGAA_TARGET_TEXTURE agaa_motionY;
 #endif
 layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D agaa_output;
 
@@ -52,8 +53,7 @@ vec2 agaa_storedMotion(uvec2 pixel) {
     AgaaMaterial material;
     return agaa_readHost(pixel, 0u, depth, material) ? material.AGAA_MOTION_MEMBER : vec2(0.0);
 #else
-    vec4 texel = AGAA_FETCH(agaa_motion, pixel, 0u);
-    return vec2(texel[AGAA_MOTION_X], texel[AGAA_MOTION_Y]);
+    return vec2(AGAA_FETCH(agaa_motionX, pixel, 0u)[AGAA_MOTION_X], AGAA_FETCH(agaa_motionY, pixel, 0u)[AGAA_MOTION_Y]);
 #endif
 }
 #endif
@@ -62,7 +62,8 @@ void agaa_loadPixels(ivec2 corner) {
     for (uint i = gl_LocalInvocationIndex; i < uint(agaa_side * agaa_side); i += 64u) {
         ivec2 at = agaa_inside(corner + ivec2(i % uint(agaa_side), i / uint(agaa_side)));
         float depth = agaa_pixelDepth(uvec2(at));
-        agaa_pixels[i] = vec4(agaa_compressedYCoCg(texelFetch(agaa_shaded, at, 0).rgb),
+        vec3 color = clamp(texelFetch(agaa_shaded, at, 0).rgb, vec3(0.0), vec3(AGAA_MAX_HALF));
+        agaa_pixels[i] = vec4(agaa_compressedYCoCg(color),
                               agaa_isBackground(depth) ? agaa_infinity : -agaa_sampleViewZ(depth));
     }
 }
@@ -125,6 +126,12 @@ bool agaa_hasHistory() {
     return agaa_frame.historyStamp != 0u && agaa_history.words[agaa_readSlot()] == agaa_frame.historyStamp;
 }
 
+// Returns by how much the distance of a surface may change.
+float agaa_slack(float distance) {
+    return uintBitsToFloat(AGAA_DEPTH_TOLERANCE) *
+           agaa_scaleDistance(distance, agaa_frame.projectionScale.x, agaa_isOrthographic());
+}
+
 // Returns whether the distances of the four pixels around a position in the previous frame and those of the 3 x 3
 // pixels of this frame have a common range. Surfaces thinner than a pixel show in some frames only. An object that
 // moved away from all of them was nearer.
@@ -141,8 +148,7 @@ bool agaa_wasVisible(vec2 at, ivec2 lane, float change) {
         float distance = uintBitsToFloat(agaa_history.words[word + 2u]);
         before = vec2(min(before.x, distance), max(before.y, distance));
     }
-    float tolerance = 1.0 + uintBitsToFloat(AGAA_DEPTH_TOLERANCE);
-    return before.y * tolerance >= now.x && before.x <= now.y * tolerance;
+    return before.y + agaa_slack(before.y) >= now.x && before.x <= now.y + agaa_slack(now.y);
 }
 
 // Returns linear light and the number of frames in it.

@@ -115,6 +115,10 @@ void main() {
     ivec2 at = ivec2(pixel);
     bool hasUpper = agaa_hasUpperEdge(at), hasLeft = agaa_hasLeftEdge(at);
     vec2 above = vec2(0.0), left = vec2(0.0);
+    // The left edge of a step that falls to the right belongs to the pixel after the one with the upper edge.
+    if (hasLeft && !hasUpper && agaa_hasUpperEdge(at - ivec2(1, 0)) &&
+        agaa_sharesOfStaircase(at - ivec2(1, 0), -1) != vec2(0.0))
+        hasLeft = false;
     if (hasUpper) {
         above = agaa_sharesOfStaircase(at, 1) + agaa_sharesOfStaircase(at, -1);
         if (above.x + above.y > 0.0) // the pixels of a staircase blend along columns

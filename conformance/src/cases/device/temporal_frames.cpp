@@ -82,7 +82,7 @@ void testMatrices(Test& test) {
         const bool isTranslation = i >= 12 && i < 15;
         std::vector<double> refused = notNumbers({above(1e18f), below(-1e18f)});
         if (!isTranslation)
-            refused.push_back(i % 5 == 0 ? 0.5 : 1.0);
+            refused.insert(refused.end(), {i % 5 == 0 ? 0.5 : 1.0, -1.0}); // -1 on the diagonal: a reflection
         for (const double value : refused) {
             temporal.toPreviousView[i] = float(value);
             rig.refuse(temporal, "AgaaTemporalFrame::toPreviousView[" + std::to_string(i) + "]",

@@ -32,11 +32,6 @@ void readTemporal(const AgaaConfig& config, ViewSettings& view) {
     t.motion = nullptr; // the host's pointer does not outlive the call
 }
 
-ResourceId find(const Plan& plan, const std::string& name) {
-    const auto found = std::ranges::find(plan.resources, name, &Resource::name);
-    return found == plan.resources.end() ? noResource : ResourceId(found - plan.resources.begin());
-}
-
 // Returns the first channel of the attribute with motion vectors.
 uint32_t motionChannel(const ResolvedView& view) {
     uint32_t channel = ChannelCustom0;
@@ -54,24 +49,21 @@ uint32_t motionChannel(const ResolvedView& view) {
                 printable(view.motionAttribute).c_str()));
 }
 
-// Binds the attachment that has both channels.
 void bindMotion(PlanBuilder& b, Pass& pass) {
     const uint32_t channel = motionChannel(b.view());
     if (b.view().hostGBuffer) {
         pass.compute().defines += "#define AGAA_MOTION_MEMBER " + b.view().motionAttribute + "\n";
         return;
     }
+    if (b.sceneAttachments.empty())
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("AgaaTemporal::motion needs a G-buffer of all draws, which \"%s\" has not with "
+                    "these settings; leave it null, or select the tier GBUFFER.",
+                    b.view().technique->name));
     const Fields fields = packGBuffer(b.view().layout).fields;
     const Field &x = fields[channel], &y = fields[channel + 1];
-    const ResourceId attachment = find(b.plan, "gbuffer-" + std::to_string(x.word));
-    if (attachment == noResource)
-        fail(AGAA_ERROR_UNSUPPORTED,
-             format("AgaaTemporal::motion needs a G-buffer, which \"%s\" does not draw with these "
-                    "settings; leave it null, or select the tier GBUFFER.",
-                    b.view().technique->name));
-    require(x.word == y.word, AGAA_ERROR_LAYOUT,
-            "AgaaTemporal::motion names an attribute whose channels are in two attachments; reorder the layout.");
-    b.bind(pass, slot::Motion, BindingType::Texture, attachment);
+    b.bind(pass, slot::MotionX, BindingType::Texture, b.sceneAttachments[x.word]);
+    b.bind(pass, slot::MotionY, BindingType::Texture, b.sceneAttachments[y.word]);
     pass.constants[AGAA_MOTION_X] = x.shift;
     pass.constants[AGAA_MOTION_Y] = y.shift;
 }
@@ -79,12 +71,11 @@ void bindMotion(PlanBuilder& b, Pass& pass) {
 void bindDepth(PlanBuilder& b, Pass& pass) {
     if (b.view().hostGBuffer)
         return b.bindHostGBuffer(pass);
-    const ResourceId depth = find(b.plan, "depth");
-    if (depth == noResource)
+    if (b.sceneDepth == noResource)
         fail(AGAA_ERROR_UNSUPPORTED,
              format("frames of \"%s\" cannot be accumulated with these settings, because it has no depth buffer.",
                     b.view().technique->name));
-    b.bind(pass, slot::Depth, BindingType::Texture, depth);
+    b.bind(pass, slot::Depth, BindingType::Texture, b.sceneDepth);
 }
 
 constexpr uint32_t historyHeaderWords = 2, historyPixelWords = 3; // of accumulate.comp

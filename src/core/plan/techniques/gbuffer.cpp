@@ -34,6 +34,7 @@ GBuffer makeGBuffer(PlanBuilder& b) {
     pass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     pass.draw().state.depthWrite = 1;
     pass.draw().clearsDepth = true;
+    b.sceneAttachments = g.attachments;
     return g;
 }
 
