@@ -84,9 +84,9 @@ public:
     void note(std::string text) { plan.notes.push_back(std::move(text)); }
 
     Plan plan;
-    // What a pass after the technique's own may read: the depth at the target's rate, and the attachments of a G-buffer
-    // that has all draws. noResource and empty if the technique has none.
-    ResourceId sceneDepth = noResource;
+    // Passes after those of the technique read the depth at the target's rate, and the attachments of a G-buffer that
+    // has all draws.
+    ResourceId sceneDepth = noResource; // noResource: the technique has none
     std::vector<ResourceId> sceneAttachments;
 
 private:
