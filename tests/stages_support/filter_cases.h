@@ -107,7 +107,7 @@ TYPED_TEST_P(FilterCases, StraightEdgesStay) {
         ASSERT_NEAR(found[i], expected[i], 1e-3f) << i;
 }
 
-// Corners of a square keep three quarters of their contrast, and its inside all of it.
+// Corners of a square keep most of their contrast.
 TYPED_TEST_P(FilterCases, CornersStaySharp) {
     std::vector<Triangle> list = rectangle(-10, -10, 58, 42, 8, evenLight(0.1f));
     for (const Triangle& t : rectangle(10, 10, 26, 26, 3, evenLight(1)))

@@ -105,16 +105,13 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
 // Jitters the camera of a frame, and sets the camera of the frame before.
 void HostRenderer::moveCamera(FrameInput& input, uint32_t frame) const {
     RenderSettings settings = input.settings;
-    if (frame > 0 || settings.previousCamera) {
+    if (frame > 0) { // the first forgets what earlier calls rendered
         RenderSettings before = settings;
         before.jitter = glm::dvec2(0);
-        if (frame == 0)
-            before.camera = *settings.previousCamera;
         input.previousCamera = cameraMatrices(scene_, before, clipY());
     }
     float offset[2];
-    const uint32_t index = settings.jitterIndex + frame;
-    agaaGetJitter(index, settings.jitterPositions, offset);
+    agaaGetJitter(frame, settings.jitterPositions, offset);
     settings.jitter += glm::dvec2(offset[0], offset[1]);
     input.jitter = settings.jitter;
     input.camera = cameraMatrices(scene_, settings, clipY());

@@ -46,10 +46,8 @@ struct RenderSettings {
     glm::dvec2 jitter{0};  // offset of the image plane, in pixels
     // Views that accumulate frames: each frame adds a position of agaaGetJitter() to the jitter.
     uint32_t jitterPositions = 16;
-    uint32_t jitterIndex = 0;             // of the first frame
-    std::optional<Camera> previousCamera; // of the frame before the first; none: earlier frames are forgotten
-    uint32_t drawOrderSeed = 0;           // != 0: draws are shuffled by this seed
-    glm::dvec3 worldOffset{0};            // offset of scene, lights and camera, which tests precision far from 0
+    uint32_t drawOrderSeed = 0; // != 0: draws are shuffled by this seed
+    glm::dvec3 worldOffset{0};  // offset of scene, lights and camera, which tests precision far from 0
     uint32_t frames = 1;
     uint32_t warmup = 0;
     bool switchFacts = false;       // each frame has the next facts of switchedFacts()

@@ -17,7 +17,7 @@ layout(std430, AGAA_BINDING_SHARES) writeonly buffer agaa_ShareBlock { uint word
 const int agaa_longestRun = 64;
 const uint agaa_mostSteps = 32u;
 
-// Edges at the boundaries between pixels of a row or column, from `word` on.
+// The edges along a row or a column, between it and the one across.
 struct agaa_Run {
     uint direction;
     int line;
