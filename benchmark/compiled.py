@@ -90,7 +90,7 @@ def configurations():
         found.append(Configuration(" ".join(filter(None, words)), [
             *chosen, "--samples", str(samples), *map(str, options), *(["--tier", f"generation={tier}"] if tier else [])]))
 
-    for technique in ("single", "fxaa"):
+    for technique in ("single", "fxaa", "smaa", "taa"):
         add(technique, technique, 1)
     for technique in ("msaa", "ssaa", "simple_complex"):
         for n in (2, 4, 8, 16, 32):

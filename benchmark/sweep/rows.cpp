@@ -55,6 +55,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
     if (quick)
         return {{"single"},
                 {"fxaa"},
+                {"smaa"},
+                {"taa"},
                 {"msaa", 8},
                 {"ssaa", 8},
                 {"simple_complex", 8},
@@ -65,7 +67,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
                 {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"},
                 {"dcaa", 64, 4},
                 {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}};
-    std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"msaa", 8}};
+    std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"smaa"}, {"taa"}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
         rows.push_back({"ssaa", n});
         rows.push_back({"simple_complex", n});

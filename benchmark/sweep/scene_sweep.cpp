@@ -84,6 +84,8 @@ RenderResult SceneSweep::render(const SweepRow& row, uint64_t flags, uint32_t de
     settings.config.measurement.debugView = debugView;
     row.apply(settings.config);
     settings.config.flags |= flags;
+    if (settings.config.accumulates()) // the image has converged
+        settings.warmup = std::max(settings.warmup, 2 * settings.jitterPositions);
     return renderer_.render(settings);
 }
 
@@ -236,7 +238,8 @@ void SceneSweep::measurePath() {
     step("errors along a camera path");
     const RenderSettings still = base_;
     for (Measured& m : rows_) {
-        if (isHeavier(m.row) || m.row.samples > options_.pathSamples)
+        // A frame of "taa" would need the frames before it.
+        if (isHeavier(m.row) || m.row.samples > options_.pathSamples || m.row.technique == "taa")
             continue;
         TemporalAccumulator path;
         for (uint32_t frame = 0; frame < options_.pathFrames; ++frame) {

@@ -59,7 +59,8 @@ const std::vector<HardConfiguration>& hardConfigurations() {
     static const std::vector<HardConfiguration> configurations = [] {
         std::vector<HardConfiguration> list;
         add(list, "single", {1}, 0, {AGAA_TIER_AUTO});
-        add(list, "fxaa", {1}, 0, {AGAA_TIER_AUTO});
+        for (const char* filter : {"fxaa", "smaa", "taa"})
+            add(list, filter, {1}, 0, {AGAA_TIER_AUTO});
         for (const char* technique : {"msaa", "ssaa", "simple_complex"})
             add(list, technique, {1, 2, 4, 8, 9, 16, 32}, 0, {AGAA_TIER_AUTO});
         add(list, "sbaa", {1, 2, 4, 8, 16, 32}, 6,
