@@ -243,7 +243,7 @@ void SceneSweep::measurePath() {
             continue;
         TemporalAccumulator path;
         for (uint32_t frame = 0; frame < options_.pathFrames; ++frame) {
-            base_.camera = pathCamera(still.camera, frame, base_.height);
+            base_.camera = walkingCamera(still.camera, frame, base_.height);
             const Reference& reference = temporalReference("path", frame);
             path.add(render(m.row).image, reference.image);
             m.pathNoise += reference.splitHalfMseTm;

@@ -7,20 +7,6 @@
 
 namespace harness {
 
-Camera pathCamera(Camera camera, uint32_t frame, uint32_t height) {
-    const glm::dvec3 forward = camera.target - camera.eye;
-    glm::dvec3 right = glm::cross(forward, camera.up);
-    if (glm::length(right) <= 1e-9 * glm::length(forward) * glm::length(camera.up)) // looks along up
-        right = std::abs(forward.x) <= std::abs(forward.y) ? glm::dvec3(0, forward.z, -forward.y)
-                                                           : glm::dvec3(-forward.z, 0, forward.x);
-    const double pixel = 2 * std::tan(glm::radians(camera.fovDegrees) / 2) * glm::length(forward) / height;
-    const double length = glm::length(right);
-    const glm::dvec3 step = length > 0 ? right * (1.3 * pixel * frame / length) : glm::dvec3(0);
-    camera.eye += step;
-    camera.target += step;
-    return camera;
-}
-
 void TemporalAccumulator::add(const Image& image, const Image& reference) {
     sums_.resize(image.rgb.size());
     for (size_t i = 0; i < sums_.size(); ++i) {

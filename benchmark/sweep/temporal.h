@@ -2,7 +2,6 @@
 #pragma once
 
 #include "image/image.h"
-#include "scene/scene.h"
 
 #include <cstdint>
 #include <vector>
@@ -15,10 +14,6 @@ struct TemporalError {
     double variance = 0;    // the variance of the error over time
     double flicker = 0;     // standard deviation of the image over time, divided by the reference's; 0 / 0 is 1
 };
-
-// Returns the camera of a frame of a walk to the side. Geometry at the distance of the first target moves by 1.3 pixels
-// a frame in the image, and nearer geometry by more. height: of the image, in pixels.
-Camera pathCamera(Camera camera, uint32_t frame, uint32_t height);
 
 class TemporalAccumulator {
 public:

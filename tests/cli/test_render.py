@@ -250,6 +250,20 @@ class Render(unittest.TestCase):
         few, many = reference(4), reference(32)
         self.assertLess(many["splitHalfMseTm"], few["splitHalfMseTm"])
 
+    def test_motion_shows_how_late_a_light_appears(self):
+        data = harness.data("motion", "--backend", self.backend, "--scene", "metal", "--size", "48x27", "--motion", "light",
+                            "--frames", "20", "--spp", "4", "--row", "--technique single", "--row", "--technique taa",
+                            "--images", self.path("frames"))
+        single, taa = data["rows"]
+        self.assertEqual(len(single["errors"]), 20)
+        self.assertEqual(len(taa["response"]), 4, "frames with the light")
+        self.assertAlmostEqual(single["response"][0], 1, delta=0.2)
+        self.assertLess(taa["response"][0], taa["response"][3])
+        self.assertLess(taa["response"][0], single["response"][0])
+        self.assertIsNone(single["ghosting"], "nothing was hidden")
+        for row in ("reference", "row0", "row1"):
+            self.assertEqual(len(os.listdir(self.path("frames/" + row))), 20)
+
     def test_footprints_of_references(self):
         for footprint in ("pixel", "sample"):
             data = harness.data("reference", "--backend", self.backend, "--scene", "foliage", "--size", "48x27",

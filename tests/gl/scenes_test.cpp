@@ -1,4 +1,5 @@
 // Every scene through the SDK on OpenGL: what holds on Vulkan holds here, and the images are the same.
+#include "moving_scenes.h"
 #include "support.h"
 #include "texture_sizes.h"
 
@@ -140,6 +141,20 @@ INSTANTIATE_TEST_SUITE_P(All, GlScenes, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 
 TEST(SharedScenes, ArePresent) { expectSharedScenes(); }
+
+TEST(MovingScenes, ImagesOfTheMotionShowWhereSurfacesWere) {
+    expectMotionIsShown(sharedGlRenderer());
+    expectNoMessages(sharedGlRenderer());
+}
+
+TEST(MovingScenes, AccumulationFollowsMotion) {
+    RendererOptions options;
+    options.keptViews = 4; // histories
+    options.shadowMapSize = 512;
+    const std::unique_ptr<Renderer> renderer = makeGlRenderer(options);
+    expectAccumulationFollowsMotion(*renderer);
+    expectNoMessages(*renderer);
+}
 
 TEST(TextureSizes, ById) {
     expectTextureSizesAgree(sharedGlRenderer());

@@ -1,5 +1,6 @@
 // Every scene through the SDK: each visible sample is accounted for exactly once, images repeat bit by
 // bit, and the API's validation stays silent.
+#include "moving_scenes.h"
 #include "support.h"
 #include "texture_sizes.h"
 
@@ -102,6 +103,20 @@ INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 
 TEST(SharedScenes, ArePresent) { expectSharedScenes(); }
+
+TEST(MovingScenes, ImagesOfTheMotionShowWhereSurfacesWere) {
+    expectMotionIsShown(sharedRenderer());
+    expectNoMessages(sharedRenderer());
+}
+
+TEST(MovingScenes, AccumulationFollowsMotion) {
+    RendererOptions options;
+    options.keptViews = 4; // histories
+    options.shadowMapSize = 512;
+    const std::unique_ptr<Renderer> renderer = makeVulkanRenderer(options);
+    expectAccumulationFollowsMotion(*renderer);
+    expectNoMessages(*renderer);
+}
 
 TEST(TextureSizes, ById) {
     expectTextureSizesAgree(sharedRenderer());

@@ -41,6 +41,7 @@ struct RenderArguments {
     uint32_t drawOrderSeed = 0;
     uint32_t alphaPoints = 1;
     uint32_t ditherFrame = 0;
+    std::string motion = "still";    // render: of the scene
     uint32_t spp = 512;              // reference: samples per pixel
     std::string footprint = "pixel"; // reference: pixel or sample
     bool noCounters = false;
@@ -58,6 +59,15 @@ struct ChooseArguments {
     bool noFetch = false;
     bool observe = false;
     std::string measured; // a file, or empty
+};
+
+struct MotionArguments {
+    RenderArguments base; // the scene, the size, and what all rows have
+    std::string motion = "still";
+    std::vector<std::string> rows; // options of views
+    uint32_t frames = 64;
+    uint32_t spp = 64;  // samples per pixel of the references
+    std::string images; // a folder, or empty
 };
 
 struct CompareArguments {
@@ -91,6 +101,8 @@ void runPrice(const RenderArguments& arguments, const std::string& timesPath, bo
 void runChoose(const RenderArguments& arguments, const ChooseArguments& chosen, bool sceneGiven, bool json);
 void runScenes(bool json);
 void runRender(const RenderArguments& arguments, bool json);
+// Prints errors over the frames of a motion, and times, of views whose frames take turns.
+void runMotion(const MotionArguments& arguments, bool json);
 void runReference(const RenderArguments& arguments, bool json);
 void runCompare(const CompareArguments& arguments, bool json);
 // Throws if a frame exceeds a bound or is not finite.
@@ -98,6 +110,8 @@ void runHardScenes(const HardScenesArguments& arguments, bool json);
 
 // Removes an effect from the facts, so that the plan drops it. Throws BadArgument for unknown names.
 void removeEffect(const std::string& effect, AgaaSceneFacts& facts);
+// Returns the scene's motion, to which the scene gets an object, if need be. Throws BadArgument for unknown names.
+std::shared_ptr<const Motion> sceneMotion(const std::string& name, Scene& scene, const RenderSettings& settings);
 // Returns the lights that remain after --without.
 std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector<Light> lights);
 

@@ -80,6 +80,16 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     return settings;
 }
 
+std::shared_ptr<const Motion> sceneMotion(const std::string& name, Scene& scene, const RenderSettings& settings) {
+    std::shared_ptr<const Motion> motion = makeMotion(name, scene, settings.camera, settings.height);
+    if (motion)
+        return motion;
+    std::string known;
+    for (const MotionName& each : motionNames())
+        known += (known.empty() ? "" : ", ") + std::string(each.name);
+    throw BadArgument("--motion names \"" + name + "\"; it can be " + known + ".");
+}
+
 namespace {
 
 json quantilesJson(const std::vector<double>& values) {
@@ -228,8 +238,10 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     requireBackend(arguments.device.backend);
     if (!arguments.camera.empty())
         parseCamera(arguments.camera); // fails before the scene is loaded
-    const Scene scene = loadSceneArgument(arguments.scene);
+    Scene scene = loadSceneArgument(arguments.scene);
     RenderSettings settings = renderSettings(arguments, configuration, scene);
+    if (arguments.motion != "still")
+        settings.motion = sceneMotion(arguments.motion, scene, settings);
     const auto renderer = makeRenderer(arguments.device);
     renderer->load(scene);
     if (configuration.fitsFragmentCapacity)

@@ -1,5 +1,6 @@
 // agaa-harness: the sample engine's command line.
 #include "cli/commands.h"
+#include "cli/plan_options.h"
 #include "cli/program.h"
 
 #include <cerrno>
@@ -13,66 +14,6 @@
 using namespace harness;
 
 namespace {
-
-void addPlanOptions(CLI::App& app, PlanArguments& a) {
-    app.add_option("--technique", a.technique, "see agaa-harness caps: single, ssaa, agaa, dcaa, adaptive …");
-    app.add_option("--samples", a.samples,
-                   "n: visibility samples per pixel; dcaa: coverage samples; 9 on an ordered grid");
-    app.add_option("--aggregates", a.aggregates,
-                   "c: aggregates per pixel, 1 to 4; S: surfaces of sbaa, 1 to 6, of dcaa, 1 to 8");
-    app.add_option("--layout", a.layout, "paper16, precise, dcaa28, reference or a JSON file");
-    app.add_option("--tier", a.tiers, "native, auto or stage=tier; repeatable")->take_all()->allow_extra_args(false);
-    app.add_option("--size", a.size, "WxH");
-    app.add_option("--reversed-z", a.reversedZ, "1: near is 1, far is infinite and 0");
-    app.add_option("--expand", a.expand,
-                   "what expands triangles to coverage samples: geometry or pulling shaders, or compute");
-    app.add_flag("--no-stencil", a.noStencil, "first come, first kept on equal depth");
-    app.add_flag("--no-culling", a.noCulling, "every shading event evaluates all lights of the frame");
-    app.add_flag("--check-facts", a.checkFacts, "inspect materials for what the scene's facts say");
-}
-
-void addShadingOptions(CLI::App& app, PlanArguments& a) {
-    app.add_option("--brdf", a.brdf, "blinn-phong or ggx");
-    app.add_option("--ndf", a.ndf, "none, toksvig, lean or sggx");
-    app.add_option("--seeds", a.seeds, "maximin or sum-of-squares");
-    app.add_option("--lanes", a.lanes, "of passes with several variants: auto, pixel, shared or subgroup");
-    app.add_option("--k", a.k, "characteristic length in scene units");
-    app.add_option("--k-per-distance", a.kPerDistance, "at least this times the distance");
-    app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
-    app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
-    app.add_option("--merge", a.merge, "dcaa: what a discarded surface gives to another, visible, paper or none");
-    app.add_option("--fragments-per-pixel", a.fragmentsPerPixel,
-                   "that lists of fragments have room for; auto: as a frame needs");
-    app.add_option("--max-batches", a.maxBatches, "draws of the scene where lists have too little room; 0: 16");
-    app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
-    app.add_flag("--draw-order", a.drawOrder, "lists of fragments keep the order of the draws");
-    app.add_flag("--depth-prepass", a.depthPrepass, "a depth prepass drops hidden fragments, approximately");
-    app.add_option("--coverage-pattern", a.coveragePattern,
-                   "positions of coverage samples: library, or r2 by a table of half-planes");
-    app.add_option("--table-size", a.tableSize, "entries a side of the table of half-planes for r2; 0: 128");
-    a.adaptive.addTo(app);
-    a.temporal.addTo(app);
-    app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
-    app.add_flag("--lit", a.lit, "agaa by id or from a G-buffer: lit statistics for the lights with shadows");
-    app.add_flag("--buffered", a.buffered,
-                 "agaa by id or from a G-buffer: aggregates in memory, shaded by a pass of their own");
-    app.add_option("--unfetched-every", a.unfetchedEvery, "agaa by id: so many-th draws that cannot be fetched");
-    app.add_option("--view", a.view, "show events, aggregates, clusters, primitives, lit, widened or tier");
-    app.add_option("--shadow-taps", a.shadowTaps, "per aggregate, at most; 0: 8");
-    app.add_option("--shading-cost", a.shadingCost, "evaluate lighting this many times");
-    app.add_flag("--split-surfaces", a.splitSurfaces, "agaa: one surface may make several aggregates");
-    app.add_flag("--fine-materials", a.fineMaterials, "agaa by id: a material in each texel of the scaled target");
-    app.add_flag("--first-sample-routing", a.firstSampleRouting, "the paper's algorithm 2, step 2 (c)");
-    app.add_flag("--no-diffuse-filter", a.noDiffuseFilter);
-    app.add_flag("--no-shadow-filter", a.noShadowFilter);
-    app.add_flag("--shadow-along-depth", a.shadowAlongDepth, "the paper's shadow taps");
-    CLI::Option* preset = app.add_option("--preset", a.preset, "paper, fast, balanced or accurate: settings of agaa");
-    for (const char* decided :
-         {"--technique", "--aggregates", "--ndf", "--seeds", "--threshold", "--surface", "--gloss-weight", "--lit",
-          "--shadow-taps", "--split-surfaces", "--fine-materials", "--first-sample-routing", "--no-diffuse-filter",
-          "--no-shadow-filter", "--shadow-along-depth"})
-        preset->excludes(app.get_option(decided));
-}
 
 void addDeviceOptions(CLI::App& app, DeviceArguments& a) {
     app.add_option("--backend", a.backend, "vk or gl");
@@ -141,6 +82,27 @@ void addHardScenesOptions(CLI::App& app, HardScenesArguments& a) {
     app.add_flag("--list", a.list, "list the frames and their bounds");
 }
 
+void addMotionOption(CLI::App& app, std::string& motion) {
+    std::string text = "what moves";
+    for (const MotionName& each : motionNames())
+        text += "; " + std::string(each.name) + ": " + std::string(each.shows);
+    app.add_option("--motion", motion, text);
+}
+
+void addMotionOptions(CLI::App& app, MotionArguments& a) {
+    addDeviceOptions(app, a.base.device);
+    app.add_option("--scene", a.base.scene, "a built-in scene, blades-N, .gltf or .glb");
+    app.add_option("--camera", a.base.camera, "ex,ey,ez,tx,ty,tz,fovDegrees");
+    app.add_option("--size", a.base.plan.size, "WxH");
+    addMotionOption(app, a.motion);
+    app.add_option("--row", a.rows, "a view: options of render, such as \"--technique taa\"; repeatable")
+        ->required()
+        ->allow_extra_args(false);
+    app.add_option("--frames", a.frames)->check(CLI::Range(10u, 10000u));
+    app.add_option("--spp", a.spp, "samples per pixel of the references")->check(CLI::Range(2u, 65536u));
+    app.add_option("--images", a.images, "folder for the frames of each row and of the references");
+}
+
 // Replaces this process by the agaa-sweep beside it. arguments: null-terminated, as of main(); the first one is
 // replaced.
 [[noreturn]] void execSweep(char** arguments) {
@@ -205,6 +167,7 @@ void run(int argc, char** argv) {
         ->add_option("--alpha-points", renderArguments.alphaPoints,
                      "where cut-outs read alpha in a texel: 1, 4 or, of dcaa, which has 4 at least, 16")
         ->check(CLI::IsMember({1u, 4u, 16u}));
+    addMotionOption(*render, renderArguments.motion);
     render->add_flag("--switch-facts", renderArguments.switchFacts,
                      "each frame has other facts than the one before, whose variants are prepared");
 
@@ -216,6 +179,10 @@ void run(int argc, char** argv) {
                      "what textures are filtered over: a pixel, as in all techniques, or one of the samples")
         ->check(CLI::IsMember({"pixel", "sample"}));
     reference->add_option("--spp", referenceArguments.spp, "samples per pixel")->check(CLI::Range(2u, 65536u));
+
+    MotionArguments motionArguments;
+    CLI::App* motion = command("motion", "errors over the frames of a moving scene, and times, of several views");
+    addMotionOptions(*motion, motionArguments);
 
     CompareArguments compareArguments;
     CLI::App* compare = command("compare", "error between two EXR images");
@@ -246,6 +213,8 @@ void run(int argc, char** argv) {
         runScenes(json);
     else if (*render)
         runRender(renderArguments, json);
+    else if (*motion)
+        runMotion(motionArguments, json);
     else if (*reference)
         runReference(referenceArguments, json);
     else if (*hardScenes)

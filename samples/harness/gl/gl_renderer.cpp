@@ -12,7 +12,8 @@ using namespace gl;
 
 GlRenderer::GlRenderer(const RendererOptions& options)
     : options_(options), device_(options), sdk_(device_, options), programs_(device_.gl(), options),
-      shadowMaps_(device_.gl(), options.shadowMapSize), cameraConstants_(createBuffer(device_.gl())) {
+      shadowMaps_(device_.gl(), options.shadowMapSize), motion_(device_.gl()),
+      cameraConstants_(createBuffer(device_.gl())) {
     device_.checkTextureSize(options.shadowMapSize, options.shadowMapSize);
     device_.gl().NamedBufferData(cameraConstants_.get(), sizeof(CameraConstants), nullptr, GL_DYNAMIC_DRAW);
 }
@@ -64,7 +65,7 @@ void GlRenderer::prepare(const FrameInput& input) {
         outputWidth_ = settings.width;
         outputHeight_ = settings.height;
     }
-    shadowMaps_.update(*gpuScene_, scene(), settings, input.camera);
+    shadowMaps_.update(*gpuScene_, scene(), settings, input.camera, input.placement);
     for (const DrawPass<AgaaGlDrawPass>& pass : view_->passes) {
         programs_.prepare(pass, scene(), input.draws);
         if (pass.state.vertexPulling && !strips_)
@@ -76,8 +77,10 @@ void GlRenderer::prepare(const FrameInput& input) {
 void GlRenderer::setCamera(const FrameInput& input) {
     const GladGLContext& gl = device_.gl();
     const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
-    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(input.settings.footprint)};
+    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(input.settings.footprint),
+                                 float(input.camera.targetDistance), glm::vec2(input.camera.jitter)};
     gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof camera, &camera);
+    motion_.update(input.draws);
     if (fetch_) {
         fetch_->update(scene(), input.draws, {viewProjection, camera.viewer});
         fetch_->bind();
@@ -119,6 +122,7 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
     gl.ClipControl(GL_LOWER_LEFT, options_.clipZFromMinusOne ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
     gl.CullFace(GL_BACK);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, cameraConstants_.get());
+    motion_.bind();
     if (target.state.vertexPulling)
         strips_->bind();
     else

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/gpu_fetch.h"
+#include "gl/gpu_motion.h"
 #include "gl/gpu_strips.h"
 #include "gl/pass_programs.h"
 #include "gl/sdk_context.h"
@@ -42,6 +43,7 @@ private:
     gl::SdkContext sdk_;
     gl::PassPrograms programs_;
     gl::ShadowMaps shadowMaps_;
+    gl::GpuMotion motion_;
     gl::Buffer cameraConstants_;
     gl::Texture output_;
     uint32_t outputWidth_ = 0;

@@ -46,7 +46,8 @@ void PassPrograms::prepare(const DrawPass<AgaaGlDrawPass>& pass, const Scene& sc
 std::string PassPrograms::fragmentText(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const {
     std::string text = versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" +
                        embedded::interface_glsl + "#define AGAA_ALPHA_MASKED " + (variant.isMasked ? "1\n" : "0\n") +
-                       "#define FEATURES " + std::to_string(variant.features) + "u\n";
+                       "#define FEATURES " + std::to_string(variant.features) + "u\n" + "#define MOTION_OUTPUT " +
+                       std::to_string(int(variant.motion)) + "\n";
     text += pass.glslDeclarations;
     if (hostOutputs_) {
         std::string copies;

@@ -17,8 +17,8 @@ ShadowMaps::ShadowMaps(const GladGLContext& gl, uint32_t size)
 }
 
 void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
-                        const CameraMatrices& camera) {
-    std::vector<double> key = shadowKey(settings.lights, settings.worldOffset, camera);
+                        const CameraMatrices& camera, uint64_t placement) {
+    std::vector<double> key = shadowKey(settings.lights, settings.worldOffset, camera, placement);
     if (key == key_)
         return;
     key_.clear();

@@ -45,14 +45,13 @@ glm::dvec2 clipJitter(const RenderSettings& settings, ClipY clipY) {
 void projectPerspective(CameraMatrices& m, const RenderSettings& settings, ClipY clipY) {
     const double focal = 1.0 / std::tan(glm::radians(settings.camera.fovDegrees) / 2);
     const double aspect = double(settings.width) / settings.height;
-    const glm::dvec2 jitter = clipJitter(settings, clipY);
     glm::dmat4& p = m.projection;
     p = glm::dmat4(0);
     p[0][0] = focal / aspect;
     p[1][1] = clipY == ClipY::Down ? -focal : focal;
     p[2][3] = -1;
-    p[2][0] = -jitter.x; // w is -z
-    p[2][1] = -jitter.y;
+    p[2][0] = -m.jitter.x; // w is -z
+    p[2][1] = -m.jitter.y;
     if (settings.reversedZ) {
         p[3][2] = m.nearPlane;
     } else {
@@ -64,7 +63,6 @@ void projectPerspective(CameraMatrices& m, const RenderSettings& settings, ClipY
 void projectOrthographic(CameraMatrices& m, const RenderSettings& settings, ClipY clipY) {
     const double scale = 2 / settings.camera.height;
     const double aspect = double(settings.width) / settings.height;
-    const glm::dvec2 jitter = clipJitter(settings, clipY);
     m.viewer = glm::dvec4(-m.forward, 0);
     m.nearPlane = 0;
     m.targetDistance = std::max(m.targetDistance, settings.camera.height); // for shadows; the eye is arbitrary
@@ -73,7 +71,7 @@ void projectOrthographic(CameraMatrices& m, const RenderSettings& settings, Clip
     p[0][0] = scale / aspect;
     p[1][1] = clipY == ClipY::Down ? -scale : scale;
     p[2][2] = (settings.reversedZ ? 1 : -1) / m.farPlane;
-    p[3] = {jitter, settings.reversedZ ? 1 : 0, 1};
+    p[3] = {m.jitter, settings.reversedZ ? 1 : 0, 1};
 }
 
 } // namespace
@@ -99,6 +97,7 @@ CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings
     m.nearPlane = std::max(0.001 * m.targetDistance, 1e-6 * reach);
     m.farPlane = 1.01 * reach + m.nearPlane;
 
+    m.jitter = clipJitter(settings, clipY);
     if (isOrthographic)
         projectOrthographic(m, settings, clipY);
     else

@@ -19,6 +19,7 @@ struct CameraMatrices {
     glm::dmat4 view{1};       // shading space to view space: a rotation
     glm::dmat4 projection{1}; // view space to clip space, with jitter
     glm::dmat4 viewProjection{1};
+    glm::dvec2 jitter{0};          // by which the projection moves the image, in clip space
     glm::dvec4 viewer{0, 0, 0, 1}; // homogeneous position in shading space; w is 0 in an orthographic view
 };
 

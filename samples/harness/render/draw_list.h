@@ -4,9 +4,17 @@
 #include "render/camera_matrices.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace harness {
+
+// The output of the material shader for the motion of a surface since the previous frame.
+enum class MotionOutput {
+    None,
+    Attribute, // the custom attribute motionAttribute
+    Emission,  // motion and distance instead of the material; see motion_image.h
+};
 
 struct Draw {
     uint32_t mesh = 0;
@@ -16,6 +24,10 @@ struct Draw {
     bool isFetched = true;    // the material is fetched by id, if the frame fetches
     uint32_t alphaPoints = 1; // alpha reads of cut-outs per texel
     glm::dmat4 toShading{1};
+    MotionOutput motionOutput = MotionOutput::None;
+    // From this frame's shading space to the previous frame's clip space, without jitter, if the material shader writes
+    // the motion and the camera's motion is not all of it.
+    std::optional<glm::dmat4> toPreviousClip = {};
 };
 
 struct DrawListOptions {

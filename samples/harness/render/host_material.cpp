@@ -53,6 +53,20 @@ void checkTextureSizes(const Scene& scene, uint32_t most) {
                                      text(most) + "x" + text(most) + ".");
 }
 
+std::vector<MotionRows> motionRows(const std::vector<Draw>& draws) {
+    std::vector<MotionRows> list;
+    for (const Draw& draw : draws) {
+        MotionRows& rows = list.emplace_back();
+        for (int column = 0; draw.toPreviousClip && column < 4; ++column) {
+            const glm::dvec4& c = (*draw.toPreviousClip)[column];
+            rows[0][column] = float(c.x);
+            rows[1][column] = float(c.y);
+            rows[2][column] = float(c.w);
+        }
+    }
+    return list;
+}
+
 DrawConstants drawConstants(const Scene& scene, const Draw& draw, uint32_t index) {
     DrawConstants c{};
     const glm::dmat3 linear(draw.toShading);
@@ -83,6 +97,7 @@ Variant variantOf(const Scene& scene, const Draw& draw) {
     Variant variant;
     variant.isMasked = draw.isMasked;
     variant.isMirrored = draw.isMirrored;
+    variant.motion = draw.motionOutput;
     const uint32_t material = scene.meshes[draw.mesh].material;
     variant.features = materialFeatures(scene, material);
     const uint32_t tested = 1u << materialTextureCount;

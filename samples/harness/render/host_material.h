@@ -41,9 +41,16 @@ struct CameraConstants {
     glm::mat4 viewProjection;
     glm::vec4 viewer; // CameraMatrices::viewer
     float footprint;
-    float padding[3] = {};
+    float unitDistance; // of images of motion
+    glm::vec2 jitter;   // CameraMatrices::jitter
 };
 static_assert(sizeof(CameraConstants) == 96);
+
+// Rows of the transform from a draw's surfaces in shading space to x, y and w of the previous frame's clip space; 0 if
+// the draw has no motion of its own. material.frag reads them as texels.
+using MotionRows = std::array<glm::vec4, 3>;
+// Returns the rows of each draw.
+std::vector<MotionRows> motionRows(const std::vector<Draw>& draws);
 
 // Matches the block Draw of object.glsl.
 struct DrawConstants {
@@ -65,6 +72,7 @@ struct Variant {
     bool isDoubleSided = false;
     bool isMirrored = false;
     uint32_t features = 0; // materialFeatures()
+    MotionOutput motion = MotionOutput::None;
 
     auto operator<=>(const Variant&) const = default;
 };

@@ -19,14 +19,47 @@ static AgaaSceneFacts completeFacts(const Scene& scene, const RenderSettings& se
     facts.flags &= found.flags | ~uint64_t(AGAA_FACT_ALL_SHADED);
     if (settings.ambient == glm::vec3(0))
         facts.flags &= ~uint64_t(AGAA_FACT_AMBIENT);
+    if (settings.showsMotionSince)
+        facts.flags |= AGAA_FACT_EMISSIVE;
     facts.maxLights = found.maxLights;
     facts.shadowMapCount = found.shadowMapCount;
     return facts;
 }
 
+// The layout's attribute for motion vectors, as material.frag names it.
+static constexpr const char* motionAttribute = "velocity";
+
+static bool movesInstances(const RenderSettings& settings) { return settings.motion && settings.motion->placement; }
+
+// Returns whether materials write motion vectors.
+static bool writesMotion(const RenderSettings& settings) {
+    return movesInstances(settings) && settings.config.accumulates();
+}
+
+// Returns a layout with the attribute; null stands for "precise".
+static AgaaLayout withMotion(const AgaaLayout* own) {
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
+    if (own)
+        layout = *own;
+    else
+        agaaGetBuiltinLayout("precise", &layout);
+    if (layout.attributeCount >= AGAA_MAX_LAYOUT_ATTRIBUTES)
+        throw std::runtime_error("The layout has no room for the attribute of motion vectors.");
+    AgaaLayoutAttribute& velocity = layout.attributes[layout.attributeCount++];
+    agaaInitLayoutAttribute(&velocity);
+    velocity.semantic = AGAA_SEMANTIC_CUSTOM;
+    velocity.channels = 2;
+    velocity.sampleBits = 16;
+    velocity.name = motionAttribute;
+    return layout;
+}
+
 void HostRenderer::load(const Scene& scene) {
     isLoaded_ = false;
     scene_ = scene;
+    rest_ = scene.instances;
+    placedMotion_ = nullptr;
+    ++placement_;
     upload();
     isLoaded_ = true;
 }
@@ -36,6 +69,12 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
         throw std::runtime_error("No scene is loaded.");
     const AgaaSceneFacts facts = completeFacts(scene_, settings);
     TechniqueConfig config = settings.config;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
+    if (writesMotion(settings)) {
+        layout = withMotion(config.layout);
+        config.layout = &layout;
+        config.temporal.motion = motionAttribute;
+    }
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
     desc.width = settings.width;
     desc.height = settings.height;
@@ -57,29 +96,22 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     result.memory = predictMemory(desc, caps(), log());
     result.plan = summarisePlan(desc, caps(), log());
 
-    FrameInput input{settings, cameraMatrices(scene_, settings, clipY())};
-    input.lights = input.unshadowed = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
-    for (AgaaLight& light : input.unshadowed)
-        light.shadowMap = AGAA_NO_SHADOW;
-    DrawListOptions options;
-    options.useMasked = input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
-    options.alphaPoints = settings.alphaPoints;
-    // Some targets are a pixel wider than the image on each side, or shifted by a part of a pixel.
-    options.clipMargin = 4.0 / std::min(settings.width, settings.height);
-    options.shuffleSeed = settings.drawOrderSeed;
-    input.draws = makeDrawList(scene_, settings.worldOffset, input.camera.eye, input.camera.viewProjection, options);
-    for (size_t i = 0; settings.unfetchedEvery && i < input.draws.size(); i += settings.unfetchedEvery)
-        input.draws[i].isFetched = false;
-    prepare(input);
-    setCamera(input);
+    FrameInput input{settings};
+    input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
     const std::vector<AgaaSceneFacts> switched =
         settings.switchFacts ? switchedFacts(facts) : std::vector<AgaaSceneFacts>();
     if (!switched.empty())
         log().check(agaaPrepareVariants(view, uint32_t(switched.size()), switched.data()), "agaaPrepareVariants");
     for (uint32_t frame = 0; frame < settings.warmup + std::max(settings.frames, 1u); ++frame) {
         input.facts = switched.empty() ? nullptr : &switched[frame % switched.size()];
-        if (settings.config.accumulates())
-            moveCamera(input, frame), setCamera(input);
+        input.index = settings.firstFrame + frame;
+        const bool isPlaced = frame > 0 && !settings.motion;
+        if (!isPlaced)
+            placeFrame(input);
+        if (!isPlaced || settings.config.accumulates()) {
+            moveCamera(input);
+            setCamera(input);
+        }
         const auto start = std::chrono::steady_clock::now();
         const double milliseconds = renderFrame(input);
         const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - start;
@@ -102,19 +134,81 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     return result;
 }
 
-// Jitters the camera of a frame, and sets the camera of the frame before.
-void HostRenderer::moveCamera(FrameInput& input, uint32_t frame) const {
-    RenderSettings settings = input.settings;
-    if (frame > 0) { // the first forgets what earlier calls rendered
-        RenderSettings before = settings;
-        before.jitter = glm::dvec2(0);
-        input.previousCamera = cameraMatrices(scene_, before, clipY());
+CameraMatrices HostRenderer::cameraAt(const RenderSettings& settings, uint32_t index, const glm::dvec2& jitter) const {
+    RenderSettings there = settings;
+    there.jitter = jitter;
+    if (settings.motion && settings.motion->camera)
+        there.camera = settings.motion->camera(index);
+    return cameraMatrices(scene_, there, clipY());
+}
+
+glm::dmat4 HostRenderer::transformAt(const RenderSettings& settings, uint32_t instance, uint32_t index) const {
+    const glm::dmat4& rest = rest_[instance].transform;
+    return movesInstances(settings) ? settings.motion->placement(instance, index) * rest : rest;
+}
+
+void HostRenderer::placeFrame(FrameInput& input) {
+    const RenderSettings& settings = input.settings;
+    const std::shared_ptr<const Motion> motion = movesInstances(settings) ? settings.motion : nullptr;
+    if (motion != placedMotion_ || (motion && input.index != placedIndex_)) {
+        for (uint32_t i = 0; i < rest_.size(); ++i)
+            scene_.instances[i].transform = transformAt(settings, i, input.index);
+        placedMotion_ = motion;
+        placedIndex_ = input.index;
+        ++placement_;
     }
-    float offset[2];
-    agaaGetJitter(frame, settings.jitterPositions, offset);
-    settings.jitter += glm::dvec2(offset[0], offset[1]);
+    input.placement = placement_;
+    input.camera = cameraAt(settings, input.index, settings.jitter);
+    std::vector<Light> lights = settings.lights;
+    for (uint32_t i = 0; settings.motion && settings.motion->brightness && i < lights.size(); ++i)
+        lights[i].color *= settings.motion->brightness(i, input.index);
+    input.lights = input.unshadowed = toAgaaLights(lights, settings.worldOffset, input.camera.eye);
+    for (AgaaLight& light : input.unshadowed)
+        light.shadowMap = AGAA_NO_SHADOW;
+    DrawListOptions options;
+    options.useMasked = input.useMasked;
+    options.alphaPoints = settings.alphaPoints;
+    // Some targets are a pixel wider than the image on each side, or shifted by a part of a pixel.
+    options.clipMargin = 4.0 / std::min(settings.width, settings.height);
+    options.shuffleSeed = settings.drawOrderSeed;
+    input.draws = makeDrawList(scene_, settings.worldOffset, input.camera.eye, input.camera.viewProjection, options);
+    for (size_t i = 0; settings.unfetchedEvery && i < input.draws.size(); i += settings.unfetchedEvery)
+        input.draws[i].isFetched = false;
+    describeMotion(input);
+    prepare(input);
+}
+
+// Draws that stand still have no motion of their own, except in an image of the motion.
+void HostRenderer::describeMotion(FrameInput& input) const {
+    const RenderSettings& settings = input.settings;
+    const bool shows = settings.showsMotionSince.has_value();
+    if (!shows && !writesMotion(settings))
+        return;
+    const uint32_t before = settings.showsMotionSince.value_or(std::max(input.index, 1u) - 1);
+    const CameraMatrices camera = cameraAt(settings, before, glm::dvec2(0));
+    for (Draw& draw : input.draws) {
+        draw.motionOutput = shows ? MotionOutput::Emission : MotionOutput::Attribute;
+        const glm::dmat4 transform = transformAt(settings, draw.instance, before);
+        if (glm::determinant(draw.toShading) == 0) // flattened
+            continue;
+        if (shows || transform != scene_.instances[draw.instance].transform)
+            draw.toPreviousClip = camera.viewProjection * toShadingSpace(transform, settings.worldOffset, camera.eye) *
+                                  glm::inverse(draw.toShading);
+    }
+}
+
+void HostRenderer::moveCamera(FrameInput& input) const {
+    const RenderSettings& settings = input.settings;
     input.jitter = settings.jitter;
-    input.camera = cameraMatrices(scene_, settings, clipY());
+    if (settings.config.accumulates()) {
+        float offset[2];
+        agaaGetJitter(input.index, settings.jitterPositions, offset);
+        input.jitter += glm::dvec2(offset[0], offset[1]);
+        input.previousCamera.reset();
+        if (input.index > 0) // the first frame forgets what the view rendered before
+            input.previousCamera = cameraAt(settings, input.index - 1, glm::dvec2(0));
+    }
+    input.camera = cameraAt(settings, input.index, input.jitter);
 }
 
 AgaaTemporalFrame HostRenderer::describeHistory(const FrameInput& input) const {

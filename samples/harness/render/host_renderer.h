@@ -23,9 +23,11 @@ public:
 protected:
     struct FrameInput {
         const RenderSettings& settings;
-        CameraMatrices camera;
+        uint32_t index = 0; // of the frame in the motion
+        CameraMatrices camera = {};
         std::optional<CameraMatrices> previousCamera = {}; // of the previous frame, without jitter
         glm::dvec2 jitter{0};                              // of this frame, in pixels
+        uint64_t placement = 0;                            // equal numbers: equal transforms of the instances
         std::vector<AgaaLight> lights = {};
         std::vector<AgaaLight> unshadowed = {}; // lights without shadows
         const AgaaSceneFacts* facts = nullptr;  // facts of the frame; null: the facts of the view
@@ -45,7 +47,7 @@ protected:
     virtual const AgaaFetchFunction* fetchFunction(bool coversByEdges) = 0;
     // Returns the view of a description. It runs before all other steps, so that the SDK reports unsupported settings.
     virtual AgaaView useView(const AgaaViewDesc& desc) = 0;
-    // Creates the output, shadow maps and pipelines that the frames need.
+    // Creates the output, shadow maps and pipelines that the frames need. Called again when draws have changed.
     virtual void prepare(const FrameInput& input) = 0;
     // Writes the camera for the draws. Called after prepare() and before each frame whose camera differs.
     virtual void setCamera(const FrameInput& input) = 0;
@@ -55,6 +57,7 @@ protected:
     virtual const std::vector<AgaaShadow>& shadows() const = 0;
     virtual void draw(const AgaaDrawTarget& target, const FrameInput& input) = 0;
 
+    // Returns the scene with its instances as the frame places them.
     const Scene& scene() const { return scene_; }
     // Calls the backend's recording function for each of the frame's segments.
     template <class Record> void record(const FrameInput& input, const char* call, const Record& record);
@@ -62,11 +65,22 @@ protected:
 private:
     AgaaFrame describeFrame(const FrameInput& input) const;
     AgaaTemporalFrame describeHistory(const FrameInput& input) const;
-    void moveCamera(FrameInput& input, uint32_t frame) const;
+    // Returns the camera of a frame, without a position of agaaGetJitter().
+    CameraMatrices cameraAt(const RenderSettings& settings, uint32_t index, const glm::dvec2& jitter) const;
+    glm::dmat4 transformAt(const RenderSettings& settings, uint32_t instance, uint32_t index) const;
+    // Sets the instances, lights and draws of the input's frame.
+    void placeFrame(FrameInput& input);
+    void describeMotion(FrameInput& input) const;
+    // Sets the cameras of the input's frame and the frame before it.
+    void moveCamera(FrameInput& input) const;
     // The callback of the SDK. No exception may leave it, so drawError_ keeps errors.
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
 
     Scene scene_;
+    std::vector<Instance> rest_;                 // the scene's instances as they were loaded
+    std::shared_ptr<const Motion> placedMotion_; // that placed the instances of scene_; null: they rest
+    uint32_t placedIndex_ = 0;
+    uint64_t placement_ = 0;
     bool isLoaded_ = false;
     uint64_t frameIndex_ = 0;           // index of the newest frame; the renderer waits for each frame
     const FrameInput* input_ = nullptr; // input of the frame that is being recorded

@@ -5,7 +5,7 @@
 #include "agaa_sdk.h"
 #include "render/technique_config.h"
 #include "image/image.h"
-#include "scene/scene.h"
+#include "scene/motion.h"
 
 #include <memory>
 #include <string>
@@ -46,8 +46,13 @@ struct RenderSettings {
     glm::dvec2 jitter{0};  // offset of the image plane, in pixels
     // Views that accumulate frames: each frame adds a position of agaaGetJitter() to the jitter.
     uint32_t jitterPositions = 16;
-    uint32_t drawOrderSeed = 0; // != 0: draws are shuffled by this seed
-    glm::dvec3 worldOffset{0};  // offset of scene, lights and camera, which tests precision far from 0
+    std::shared_ptr<const Motion> motion; // of the loaded scene; null: nothing moves
+    // Index of the first frame in the motion and in the positions of the jitter. If it is not 0, that frame follows the
+    // last one that the view rendered.
+    uint32_t firstFrame = 0;
+    std::optional<uint32_t> showsMotionSince; // the image shows the motion since this frame; see motion_image.h
+    uint32_t drawOrderSeed = 0;               // != 0: draws are shuffled by this seed
+    glm::dvec3 worldOffset{0};                // offset of scene, lights and camera, which tests precision far from 0
     uint32_t frames = 1;
     uint32_t warmup = 0;
     bool switchFacts = false;       // each frame has the next facts of switchedFacts()

@@ -159,8 +159,8 @@ AgaaShadow toAgaaShadow(const ShadowFit& fit) {
 }
 
 std::vector<double> shadowKey(const std::vector<Light>& lights, const glm::dvec3& worldOffset,
-                              const CameraMatrices& camera) {
-    std::vector<double> key;
+                              const CameraMatrices& camera, uint64_t placement) {
+    std::vector<double> key = {double(placement)};
     const auto add = [&key](const glm::dvec3& v) {
         for (int i = 0; i < 3; ++i)
             key.push_back(v[i]);

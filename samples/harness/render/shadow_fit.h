@@ -19,7 +19,9 @@ ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices
 AgaaShadow toAgaaShadow(const ShadowFit& fit);
 
 // Returns a key of all inputs of the maps: equal keys give equal maps.
+//
+// placement   Of the instances: equal numbers mean equal transforms.
 std::vector<double> shadowKey(const std::vector<Light>& lights, const glm::dvec3& worldOffset,
-                              const CameraMatrices& camera);
+                              const CameraMatrices& camera, uint64_t placement);
 
 } // namespace harness

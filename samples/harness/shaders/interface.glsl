@@ -1,6 +1,7 @@
 // Definitions that hide differences between the APIs.
 #ifdef HARNESS_GL
 #define CAMERA_AT binding = 1
+#define MOTION_AT binding = 30
 #define MATERIAL_AT(n) binding = n
 #define CASTER_AT(n) binding = n
 #define DRAW_BLOCK uniform struct
@@ -11,6 +12,7 @@
 #define PULLED_INDICES_AT binding = 29
 #else
 #define CAMERA_AT set = 0, binding = 0
+#define MOTION_AT set = 0, binding = 1
 #define MATERIAL_AT(n) set = 2, binding = n
 #define CASTER_AT(n) set = 0, binding = n
 #define DRAW_BLOCK layout(push_constant) uniform

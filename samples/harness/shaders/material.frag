@@ -58,6 +58,24 @@ SurfacePoint pointInside(vec3 position, float scale, vec2 dx, vec2 dy) {
     return p;
 }
 
+// MOTION_OUTPUT is 1 if the layout has the attribute `velocity`, and 2 if emission shows the motion.
+#if AGAA_NEEDS_MATERIAL && MOTION_OUTPUT
+layout(MOTION_AT) uniform samplerBuffer motionRows; // MotionRows of the engine
+
+// Gets the displacement of a point from this frame to the previous one, in widths and heights of the view, and the
+// point's distance in that frame. Returns false if the draw has no motion of its own.
+bool motionOf(vec3 position, out vec2 motion, out float distance) {
+    int row = 3 * int(drawIndex);
+    vec4 p = vec4(position, 1.0);
+    vec3 before = vec3(dot(texelFetch(motionRows, row), p), dot(texelFetch(motionRows, row + 1), p),
+                       dot(texelFetch(motionRows, row + 2), p));
+    vec4 now = camera.viewProjection * p;
+    motion = 0.5 * (before.xy / max(before.z, 1e-20) - (now.xy / now.w - camera.jitter));
+    distance = before.z;
+    return before.z > 0.0;
+}
+#endif
+
 void main() {
     AgaaSurfaceInput surface = agaa_surfaceInput();
     vec4 inside = AGAA_INSIDE(insidePosition);
@@ -84,6 +102,17 @@ void main() {
     surface.emissive = model.emissive;
     surface.normal = model.normal;
     surface.alpha2 = model.alpha2;
+#if MOTION_OUTPUT
+    vec2 motion;
+    float distance;
+    bool hasMotion = motionOf(surface.position, motion, distance);
+#endif
+#if MOTION_OUTPUT == 1
+    surface.velocity = hasMotion ? (32768.0 + 32767.0 * clamp(motion, -1.0, 1.0)) / 65535.0 : vec2(0.0);
+#elif MOTION_OUTPUT == 2
+    surface.diffuse = surface.specular = vec3(0.0);
+    surface.emissive = vec3(motion * 32.0 + 8.0, 16.0 * distance / (distance + camera.unitDistance));
+#endif
 #endif
     agaa_emit(surface);
 #ifdef COPY_OUTPUTS

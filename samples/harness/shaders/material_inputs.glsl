@@ -6,8 +6,13 @@ layout(MATERIAL_AT(2)) uniform sampler2D metalRoughMap;
 layout(MATERIAL_AT(3)) uniform sampler2D emissiveMap;
 layout(std140, MATERIAL_AT(4)) uniform Material { MaterialValues material; };
 
-// viewer: homogeneous position in shading space. footprint: width of the textures' footprint, as a share of the pixel.
-layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; vec4 viewer; float footprint; } camera;
+layout(std140, CAMERA_AT) uniform Camera {
+    mat4 viewProjection;
+    vec4 viewer; // homogeneous position in shading space
+    float footprint; // width of the textures' footprint, as a share of the pixel
+    float unitDistance; // of images of motion
+    vec2 jitter; // by which the projection moves the image, in clip space
+} camera;
 
 // Bits of the material: base colour, normal, metallic-roughness and emissive map, alpha test at the cutoff, and alpha
 // test at four points of a texel. It is a constant of the pipeline: drivers that specialise shaders by the uniforms in

@@ -1,7 +1,13 @@
 // Positions of vertices, which all vertex shaders of the draw passes compute identically. interface.glsl comes before
 // this text.
 
-layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; vec4 viewer; float footprint; } camera;
+layout(std140, CAMERA_AT) uniform Camera {
+    mat4 viewProjection;
+    vec4 viewer; // homogeneous position in shading space
+    float footprint; // width of the textures' footprint, as a share of the pixel
+    float unitDistance; // of images of motion
+    vec2 jitter; // by which the projection moves the image, in clip space
+} camera;
 
 DRAW_BLOCK Draw {
     vec4 toShading[3];       // rows of object to shading space

@@ -9,10 +9,11 @@ namespace harness::vk {
 
 namespace {
 
-std::string fragmentText(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked) {
+std::string fragmentText(const DrawPass<AgaaVkDrawPass>& pass, const Variant& variant) {
     return std::string("#version 450\n") + pass.glslExtensions + "\n#define AGAA_ALPHA_MASKED " +
-           (isMasked ? "1\n" : "0\n") + pass.glslDeclarations + "\n" + embedded::interface_glsl +
-           embedded::material_glsl + embedded::material_inputs_glsl +
+           (variant.isMasked ? "1\n" : "0\n") + "#define MOTION_OUTPUT " + std::to_string(int(variant.motion)) + "\n" +
+           pass.glslDeclarations + "\n" + embedded::interface_glsl + embedded::material_glsl +
+           embedded::material_inputs_glsl +
            (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? embedded::corners_frag : embedded::material_frag);
 }
 
@@ -58,9 +59,9 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
         Pipeline& pipeline = program.pipelines[variant];
         if (pipeline)
             continue;
-        ShaderModule& fragment = program.fragments[variant.isMasked];
+        ShaderModule& fragment = program.fragments[{variant.isMasked, variant.motion}];
         if (!fragment)
-            fragment = makeShader(*device_, ShaderStage::Fragment, fragmentText(pass, variant.isMasked),
+            fragment = makeShader(*device_, ShaderStage::Fragment, fragmentText(pass, variant),
                                   std::string("material.frag, ") + pass.name);
         pipeline = makePipeline(pass, program, variant);
     }
@@ -93,7 +94,7 @@ Pipeline PassPipelines::makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const
     if (pass.state.vertexPulling)
         state.vertexLocations = 0;
     const VkRenderPass renderPass = (VkRenderPass)pass.native.renderPass;
-    return state.create(*device_, program.vertex->get(), program.fragments[variant.isMasked].get(),
+    return state.create(*device_, program.vertex->get(), program.fragments.at({variant.isMasked, variant.motion}).get(),
                         program.layout.get(), renderPass, renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
 }
 

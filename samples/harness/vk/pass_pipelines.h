@@ -34,8 +34,8 @@ private:
     struct Program {
         std::string text;
         PipelineLayout layout;
-        std::array<ShaderModule, 2> fragments; // opaque, masked
-        ShaderModule geometry, pulling;        // null if the pass has none
+        std::map<std::pair<bool, MotionOutput>, ShaderModule> fragments; // by isMasked and motion of the variant
+        ShaderModule geometry, pulling;                                  // null if the pass has none
         const ShaderModule* vertex = nullptr;
         std::map<Variant, Pipeline> pipelines;
     };

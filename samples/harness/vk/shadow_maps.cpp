@@ -55,7 +55,10 @@ ShadowMaps::ShadowMaps(const Device& device, uint32_t size)
       fragment_(makeShader(device, ShaderStage::Fragment, vulkanText(embedded::shadow_frag), "shadow.frag")),
       arena_(device) {}
 
-void ShadowMaps::invalidate() { key_.clear(); }
+void ShadowMaps::invalidate() {
+    key_.clear();
+    opaque_ = {};
+}
 
 void ShadowMaps::createPipelines(VkDescriptorSetLayout materialLayout) {
     const VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(glm::mat4)};
@@ -79,15 +82,16 @@ void ShadowMaps::createPipelines(VkDescriptorSetLayout materialLayout) {
 }
 
 void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
-                        const CameraMatrices& camera) {
-    std::vector<double> key = shadowKey(settings.lights, settings.worldOffset, camera);
+                        const CameraMatrices& camera, uint64_t placement) {
+    std::vector<double> key = shadowKey(settings.lights, settings.worldOffset, camera, placement);
     if (key == key_)
         return;
     key_.clear();
     shadows_.clear();
     maps_.clear();
     arena_ = Arena(*device_);
-    createPipelines(gpuScene.materialLayout());
+    if (!opaque_)
+        createPipelines(gpuScene.materialLayout());
     for (const size_t i : shadowedLights(settings.lights)) {
         const ShadowFit fit = fitShadow(settings.lights[i], scene, camera, settings.worldOffset, size_);
         renderMap(gpuScene, scene, settings, camera.eye, fit.layers);

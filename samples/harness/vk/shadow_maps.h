@@ -16,7 +16,7 @@ public:
     // Renders if the lights, the camera or the offset differ from the last call. The camera's jitter and image size do
     // not matter: all frames of a view share their maps.
     void update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
-                const CameraMatrices& camera);
+                const CameraMatrices& camera, uint64_t placement);
     // Must be called when the scene changes.
     void invalidate();
 

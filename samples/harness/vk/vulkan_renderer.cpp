@@ -11,13 +11,16 @@ using namespace vk;
 
 namespace {
 
+constexpr uint32_t motionBinding = 1; // MOTION_AT of shaders/interface.glsl
+
 DescriptorSetLayout makeCameraLayout(const Device& device) {
-    const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
-                                               VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+    const VkDescriptorSetLayoutBinding bindings[] = {
+        {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
+        {motionBinding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
     VkDescriptorSetLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    info.bindingCount = 1;
-    info.pBindings = &binding;
+    info.bindingCount = uint32_t(std::size(bindings));
+    info.pBindings = bindings;
     return make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout, info, "create a descriptor set layout");
 }
 
@@ -31,8 +34,9 @@ VulkanRenderer::VulkanRenderer(const RendererOptions& options)
 
 void VulkanRenderer::createCameraSet() {
     cameraConstants_ = arena_.hostBuffer(sizeof(CameraConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1};
-    cameraSet_ = DescriptorSet(device_.get(), cameraLayout_.get(), {&size, 1});
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+                                          {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1}};
+    cameraSet_ = DescriptorSet(device_.get(), cameraLayout_.get(), sizes);
     const VkDescriptorBufferInfo buffer{cameraConstants_.buffer.get(), 0, sizeof(CameraConstants)};
     VkWriteDescriptorSet write{};
     write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -48,7 +52,10 @@ void VulkanRenderer::upload() {
     fetch_.reset();
     strips_.reset();
     gpuScene_.reset();
+    motion_.reset();
     gpuScene_.emplace(device_, scene());
+    motion_.emplace(device_, scene().instances.size());
+    motion_->write(cameraSet_.get(), motionBinding);
 }
 
 const AgaaFetchFunction* VulkanRenderer::fetchFunction(bool coversByEdges) {
@@ -71,7 +78,7 @@ void VulkanRenderer::prepare(const FrameInput& input) {
         output_.reset();
         output_.emplace(device_, settings.width, settings.height);
     }
-    shadowMaps_.update(*gpuScene_, scene(), settings, input.camera);
+    shadowMaps_.update(*gpuScene_, scene(), settings, input.camera, input.placement);
     for (const DrawPass<AgaaVkDrawPass>& pass : view_->passes) {
         if (pass.state.vertexPulling && !strips_)
             strips_.emplace(device_, scene(), *gpuScene_);
@@ -82,8 +89,10 @@ void VulkanRenderer::prepare(const FrameInput& input) {
 
 void VulkanRenderer::setCamera(const FrameInput& input) {
     const glm::mat4 viewProjection(input.camera.viewProjection);
-    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(input.settings.footprint)};
+    const CameraConstants camera{viewProjection, glm::vec4(input.camera.viewer), float(input.settings.footprint),
+                                 float(input.camera.targetDistance), glm::vec2(input.camera.jitter)};
     std::memcpy(cameraConstants_.mapped, &camera, sizeof camera);
+    motion_->update(input.draws);
     if (fetch_)
         fetch_->update(scene(), input.draws, {viewProjection, camera.viewer});
 }

@@ -3,6 +3,7 @@
 
 #include "render/host_renderer.h"
 #include "vk/gpu_fetch.h"
+#include "vk/gpu_motion.h"
 #include "vk/gpu_strips.h"
 #include "vk/output_image.h"
 #include "vk/pass_pipelines.h"
@@ -47,6 +48,7 @@ private:
     vk::ShadowMaps shadowMaps_;
     std::optional<vk::OutputImage> output_;
     std::optional<vk::GpuScene> gpuScene_;
+    std::optional<vk::GpuMotion> motion_;
     std::optional<vk::GpuFetch> fetch_;   // set if a view fetches materials by id
     std::optional<vk::GpuStrips> strips_; // set if a pass pulls vertices
     const vk::VkSdkView* view_ = nullptr; // view in use
