@@ -32,7 +32,7 @@ class Configuration(typing.NamedTuple):
 
 CONFIGURATIONS = [Configuration(*row) for row in [
     ("single", 1), ("fxaa", 1), ("smaa", 1), ("taa", 1), ("msaa", 8), *(("ssaa", n) for n in (4, 8, 16, 32)),
-    ("simple_complex", 8), ("simple_complex", 32), ("sbaa", 8, 2), ("sbaa", 32, 6),
+    ("visibility", 8), ("simple_complex", 8), ("simple_complex", 32), ("sbaa", 8, 2), ("sbaa", 32, 6),
     ("agaa", 4, 2), ("agaa", 8, 1), ("agaa", 8, 2), ("agaa", 8, 4), ("agaa", 16, 2), ("agaa", 32, 2), ("agaa", 32, 4),
     *(("agaa", n, 2, tier) for tier in ("gbuffer", "ids") for n in (8, 32)),
     *(("agaa", 8, c, tier, preset) for tier in ("gbuffer", "ids")

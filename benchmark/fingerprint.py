@@ -21,7 +21,7 @@ SAMPLES = [1, 2, 4, 8, 16, 32]
 def configurations():
     """Lists of options of `agaa-harness render`."""
     plain = [["single"], ["fxaa"], ["smaa"], ["taa"], *(["msaa", n] for n in (2, 4, 8, 32))]
-    plain += [[technique, n] for technique in ("ssaa", "simple_complex") for n in SAMPLES]
+    plain += [[technique, n] for technique in ("ssaa", "visibility", "simple_complex") for n in SAMPLES]
     for technique, *samples in plain:
         yield ["--technique", technique, *(["--samples", samples[0]] if samples else [])]
     for n in SAMPLES:

@@ -16,6 +16,12 @@ from runs import ROOT, find_scenes, require_harness, write_json
 
 # Hard scenes come first, so that an interrupted run has them.
 FIRST = ["bamboo", "foliage", "furball", "metal", "sh3d_foliage"]
+# --core: each technique, and the settings that hosts choose among, with one heavier shading cost.
+CORE = ["single-1", "fxaa-1", "smaa-1", "taa-1", "msaa-8", "ssaa-4", "ssaa-8", "ssaa-32", "visibility-8", "visibility-32",
+        "simple_complex-8", "simple_complex-32", "sbaa-8-2", "agaa-4-2", "agaa-8-2", "agaa-32-2", "agaa-8-2-gbuffer",
+        "agaa-8-2-ids", "agaa-8-fast-ids", "agaa-8-balanced-ids", "agaa-8-accurate-ids", "agaa-32-accurate-ids",
+        "dcaa-64-4", "dcaa-64-exact", "agaa-64-2-fragments", "adaptive-8-device", "ssaa-8-cost4", "visibility-8-cost4",
+        "agaa-8-2-cost4-ids"]
 # This scene has all effects, emission and normal maps included, so that each is measured with and without need for it.
 PLAIN = "city"
 
@@ -44,11 +50,19 @@ def main():
     parser = tool_parser(__doc__, out="sweep", size="640x360", scenes=True, backends=True)
     parser.add_argument("--rounds", help="frames of each row; 101 suits a GPU")
     parser.add_argument("--row", action="append", help="only this row of agaa-sweep; repeatable")
+    parser.add_argument("--core", action="store_true",
+                        help="the rows of regular use, at 320x180 in three turns with JPEG images and without effects")
     parser.add_argument("--no-ablation", action="store_true", help="do not measure what each effect costs and removes")
     parser.add_argument("--jpeg", help="images as JPEG of this quality, 1 to 100, not as PNG")
     arguments = parser.parse_args()
     sweep = arguments.harness.with_name("agaa-sweep")
     require_harness("full_sweep", sweep)
+    if arguments.core:
+        if arguments.row:
+            parser.error("--core has rows of its own; leave --row out.")
+        arguments.row, arguments.no_ablation = CORE, True
+        arguments.size = "320x180" if arguments.size == parser.get_default("size") else arguments.size
+        arguments.rounds, arguments.jpeg = arguments.rounds or "3", arguments.jpeg or "85"
     common = [sweep, "--size", arguments.size]
     for backend in arguments.backend or ["vk", "gl"]:
         common += ["--backend", backend]

@@ -59,6 +59,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
                 {"taa"},
                 {"msaa", 8},
                 {"ssaa", 8},
+                {"visibility", 8},
                 {"simple_complex", 8},
                 {"sbaa", 8, 2},
                 {"agaa", 8, 2},
@@ -70,6 +71,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
     std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"smaa"}, {"taa"}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
         rows.push_back({"ssaa", n});
+        rows.push_back({"visibility", n});
         rows.push_back({"simple_complex", n});
     }
     for (uint32_t s : {1u, 2u, 4u, 6u})
@@ -112,6 +114,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
         }
     };
     for (const SweepRow& row : {SweepRow{"ssaa", 8},
+                                {"visibility", 8},
                                 {"simple_complex", 8},
                                 {"agaa", 8, 2},
                                 {"agaa", 8, 2, 1, AGAA_TIER_IDS},

@@ -16,7 +16,8 @@ import compiled_bounds
 
 # Most techniques and tiers, and for each row of KNOWN_MISSES a configuration that misses a bound.
 COVERING = [
-    "fxaa n=1", "smaa n=1", "taa n=1", "msaa n=8", "ssaa n=32", "simple_complex n=32",
+    "fxaa n=1", "smaa n=1", "taa n=1", "msaa n=8", "ssaa n=32", "visibility n=32",
+    "simple_complex n=32",
     "adaptive gbuffer n=9", "adaptive ids n=16", "adaptive ids n=32", "adaptive target gbuffer n=8",
     "sbaa per-sample n=16 c=4", "sbaa gbuffer n=32 c=4",
     "agaa per-sample n=32 c=4", "paper per-sample n=16",

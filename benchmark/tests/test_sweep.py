@@ -4,8 +4,10 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
+from pathlib import Path
 
 import harness
 
@@ -196,6 +198,9 @@ class Forwarding(unittest.TestCase):
         refused = harness.run("sweep", "--row", "agaa 8")
         self.assertEqual(refused.returncode, 2)
         self.assertIn('agaa-sweep: --row: There is no row "agaa 8"', refused.stderr)
+        sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+        import full_sweep
+        self.assertLessEqual(set(full_sweep.CORE), set(re.split(r"[ ,.]+", refused.stderr)), "rows of --core")
 
     def test_a_missing_program_is_named(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -184,8 +184,8 @@ typedef struct AgaaConfig {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    const char* technique;    /* "single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa",
-                                 "dcaa" or "adaptive" */
+    const char* technique;    /* "single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
+                                 "sbaa", "agaa", "dcaa" or "adaptive" */
     uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; the first four use 1.
                                  "msaa", "ssaa", "simple_complex" and "adaptive" also accept 9, on the tier
                                  ORDERED_GRID. "dcaa", and "agaa" with the tier FRAGMENTS, have 32, 64 or 128
@@ -196,9 +196,9 @@ typedef struct AgaaConfig {
     const AgaaLayout* layout; /* null: "precise" */
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
-    /* Samples within these three thresholds count as one surface: "simple_complex" and "sbaa" shade it once, "agaa"
-     * makes one aggregate of it, "adaptive" shades one of its samples or more. 0 selects the default of the
-     * technique. */
+    /* Samples within these three thresholds count as one surface: "simple_complex" and "sbaa" shade it once,
+     * "visibility" gives it the light of one event, "agaa" makes one aggregate of it, "adaptive" shades one of its
+     * samples or more. 0 selects the default of the technique. */
     float surfaceCosine;     /* smallest cosine between normals, [0, 1] */
     float surfaceDistance;   /* largest distance from the surface's plane, in pixel widths at its depth, [0, 1e6] */
     float surfaceMaterial;   /* largest difference of a material channel, [0, 1]; only "simple_complex" and "adaptive"

@@ -182,8 +182,8 @@ const std::map<std::string, Switch>& switches() {
 
 std::vector<Host> hosts() {
     std::vector<Host> list;
-    for (const char* technique :
-         {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
+                                  "sbaa", "agaa", "dcaa", "adaptive"})
         list.emplace_back(technique);
     for (const uint32_t tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
         list.emplace_back("agaa", 8, tier, true);

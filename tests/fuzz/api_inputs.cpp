@@ -148,7 +148,7 @@ ViewInput::ViewInput(Choices& choices) : memory(choices) {
     static const uint32_t counts[] = {1, 2, 4, 8, 8, 16, 32}, coverageCounts[] = {32, 64, 128, 9};
     configValue.technique = anyName(choices, memory,
                                     {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "agaa",
-                                     "adaptive", "dcaa", "Simple-Complex", "smaa", "taa"});
+                                     "adaptive", "dcaa", "Simple-Complex", "smaa", "taa", "visibility"});
     const bool isCoverage = configValue.technique && std::string_view(configValue.technique) == "dcaa";
     configValue.samples = choices.oneIn(12)                 ? choices.word()
                           : isCoverage != choices.oneIn(12) ? choices.of(coverageCounts)

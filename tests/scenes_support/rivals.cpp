@@ -72,6 +72,10 @@ void expectRivals(Renderer& renderer, RenderSettings settings, const char* name)
     const Rival followed = rivals.measure("smaa", 1); // it blends less where edges are no lines
     EXPECT_LT(followed.error, 0.85);
     EXPECT_EQ(followed.counters.maxEventsPerPixel, 1u);
+    // The visibility of all samples, and the light of one.
+    const Rival reconstructed = rivals.measure("visibility", 1);
+    EXPECT_LT(reconstructed.error, 0.06);
+    EXPECT_EQ(reconstructed.counters.maxEventsPerPixel, 1u);
     double before = 1;
     for (uint32_t surfaces : {1u, 2u, 4u, 6u}) {
         const Rival kept = rivals.measure("sbaa", surfaces);

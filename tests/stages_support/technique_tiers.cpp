@@ -22,6 +22,7 @@ const std::vector<TechniqueTier>& techniqueTiers() {
         {.technique = "msaa", .n = 8, .evaluations = EachTexel},
         {.technique = "ssaa", .n = 8, .evaluations = EachTexel},
         {.technique = "ssaa", .n = 9, .visibility = AGAA_TIER_ORDERED_GRID, .evaluations = EachTexel},
+        {.technique = "visibility", .n = 8, .evaluations = EachTexel},
         {.technique = "simple_complex", .n = 8, .evaluations = EachTexel},
         {.technique = "sbaa", .n = 8, .tier = AGAA_TIER_PER_SAMPLE, .evaluations = EachSample},
         {.technique = "sbaa", .n = 8, .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .evaluations = EachTexel},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 namespace harness::hard {
 
@@ -34,9 +35,15 @@ Finding bitsOfOther(const Rendered& frame) {
     return {differing, 0};
 }
 
+// Returns whether the technique blends pixels of an image of half floats.
+static bool filtersImage(const Rendered& frame) {
+    const std::string_view technique = frame.configuration.technique;
+    return technique == "fxaa" || technique == "smaa" || technique == "taa";
+}
+
 Finding bitsOfBackground(const Rendered& frame) {
     double differing = 0;
-    const bool isHalf = frame.configuration.technique == "fxaa"; // it filters an image of half floats
+    const bool isHalf = filtersImage(frame);
     for (size_t i = 0; i < frame.result.image.rgb.size(); ++i) {
         const float expected = frame.settings.background[int(i % 3)], value = frame.result.image.rgb[i];
         const bool isEqual = isHalf ? std::fabs(value - expected) <= std::ldexp(expected, -10)
@@ -49,7 +56,7 @@ Finding bitsOfBackground(const Rendered& frame) {
 Finding wholeWeights(const Rendered& frame) {
     const double n = frame.configuration.samples;
     double farthest = 0;
-    if (frame.configuration.technique == "fxaa") // it blends pixels
+    if (filtersImage(frame))
         return {0, 0.002};
     for (const float value : frame.result.image.rgb) {
         const double weight = n * double(value);

@@ -9,10 +9,11 @@ namespace harness::hard {
 Finding differenceFromOther(const Rendered& frame, double bound);
 // The number of channels that differ from the other frame in any bit.
 Finding bitsOfOther(const Rendered& frame);
-// The number of channels that differ from the background in any bit, or for fxaa by more than a step of half floats.
+// The number of channels that differ from the background in any bit, or with a filter by more than a step of half
+// floats.
 Finding bitsOfBackground(const Rendered& frame);
-// The largest distance of a pixel from a whole number of samples of emission 1 over black, in samples. 0 for fxaa,
-// which blends pixels.
+// The largest distance of a pixel from a whole number of samples of emission 1 over black, in samples. 0 for
+// filters, which blend pixels.
 Finding wholeWeights(const Rendered& frame);
 // The largest error of the bars of hard-dark-ramp, in codes of a sample whose sum has 16 bits. A black bar is infinite.
 Finding rampError(const Rendered& frame);

@@ -5,8 +5,8 @@
 namespace harness::hard {
 
 const char* nameOf(Shading shading) {
-    constexpr const char* names[] = {"one sample", "few samples", "every sample",
-                                     "surfaces",   "aggregates",  "one aggregate"};
+    constexpr const char* names[] = {"one sample", "few samples",   "every sample", "surfaces",
+                                     "aggregates", "one aggregate", "one event"};
     static_assert(std::size(names) == kShadings);
     return names[size_t(shading)];
 }
@@ -14,6 +14,8 @@ const char* nameOf(Shading shading) {
 Shading HardConfiguration::shading() const {
     if (samples == 1)
         return Shading::One;
+    if (technique == "visibility")
+        return Shading::Event;
     if (samples < 8)
         return Shading::Few;
     if (technique == "ssaa")
@@ -61,6 +63,7 @@ const std::vector<HardConfiguration>& hardConfigurations() {
         add(list, "single", {1}, 0, {AGAA_TIER_AUTO});
         for (const char* filter : {"fxaa", "smaa", "taa"})
             add(list, filter, {1}, 0, {AGAA_TIER_AUTO});
+        add(list, "visibility", {1, 2, 4, 8, 16, 32}, 0, {AGAA_TIER_AUTO});
         for (const char* technique : {"msaa", "ssaa", "simple_complex"})
             add(list, technique, {1, 2, 4, 8, 9, 16, 32}, 0, {AGAA_TIER_AUTO});
         add(list, "sbaa", {1, 2, 4, 8, 16, 32}, 6,

@@ -16,8 +16,9 @@ enum class Shading {
     Surfaces,   // fragments, at least two surfaces, or samples that differ
     Aggregates, // at least two aggregates
     Mean,       // one aggregate or surface
+    Event,      // one sample, whose light all have
 };
-constexpr size_t kShadings = 6;
+constexpr size_t kShadings = 7;
 const char* nameOf(Shading shading);
 
 struct HardConfiguration {

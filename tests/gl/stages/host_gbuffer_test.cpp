@@ -76,9 +76,9 @@ private:
 struct GBufferHost : OpenGLHost {
     using Samples = TextureSamples;
     static constexpr uint32_t shadowMaps = 1;
-    static constexpr GBufferRow rows[] = {{"single", 1},         {"ssaa", 4},     {"ssaa", 8},    {"simple_complex", 4},
-                                          {"simple_complex", 8}, {"sbaa", 4},     {"sbaa", 8},    {"agaa", 4},
-                                          {"agaa", 8},           {"adaptive", 4}, {"adaptive", 8}};
+    static constexpr GBufferRow rows[] = {
+        {"single", 1}, {"ssaa", 4}, {"ssaa", 8}, {"visibility", 8}, {"simple_complex", 4}, {"simple_complex", 8},
+        {"sbaa", 4},   {"sbaa", 8}, {"agaa", 4}, {"agaa", 8},       {"adaptive", 4},       {"adaptive", 8}};
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HostGBufferCases, GBufferHost);
 

@@ -80,9 +80,9 @@ private:
 struct GBufferHost : VulkanHost {
     using Samples = BufferSamples;
     static constexpr uint32_t shadowMaps = 0;
-    static constexpr GBufferRow rows[] = {{"single", 1},         {"fxaa", 1},     {"ssaa", 4},    {"sbaa", 8},
-                                          {"simple_complex", 4}, {"agaa", 1},     {"agaa", 4},    {"agaa", 8},
-                                          {"agaa", 32},          {"adaptive", 4}, {"adaptive", 8}};
+    static constexpr GBufferRow rows[] = {
+        {"single", 1}, {"fxaa", 1}, {"smaa", 1}, {"ssaa", 4},  {"visibility", 4}, {"sbaa", 8},    {"simple_complex", 4},
+        {"agaa", 1},   {"agaa", 4}, {"agaa", 8}, {"agaa", 32}, {"adaptive", 4},   {"adaptive", 8}};
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HostGBufferCases, GBufferHost);
 

@@ -141,8 +141,8 @@ const std::vector<Change>& extremes() {
 void testNoInternalError(Test& test) {
     std::vector<ViewQuery> queries = viewQueries();
     queries.push_back(aggregateGlslQuery);
-    for (const char* technique :
-         {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
+                                  "sbaa", "agaa", "dcaa", "adaptive"})
         for (const uint32_t samples :
              hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128} : std::vector<uint32_t>{1, 4, 32})
             for (const uint32_t aggregates : {1u, 4u})

@@ -11,8 +11,8 @@ namespace {
 
 using Change = std::function<void(ViewParts&)>;
 
-constexpr const char* techniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa",    "ssaa",
-                                      "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+constexpr const char* techniques[] = {"single",     "fxaa",           "smaa", "taa",  "msaa", "ssaa",
+                                      "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
 
 // All techniques accept the function, except those in `refusing`.
 void testNotFor(Test& test, const std::set<std::string>& refusing, const std::string& name, const Change& chain) {

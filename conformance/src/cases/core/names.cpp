@@ -116,8 +116,8 @@ void testNames(Test& test) {
             test.check(std::find(names.begin(), names.end(), name) != names.end(),
                        "agaaGetNames(" + std::to_string(kind) + ") does not list \"" + name + "\".");
     };
-    expect(AGAA_NAMES_TECHNIQUES,
-           {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"});
+    expect(AGAA_NAMES_TECHNIQUES, {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
+                                   "sbaa", "agaa", "dcaa", "adaptive"});
     expect(AGAA_NAMES_LAYOUTS, {"paper16", "precise"});
     expect(AGAA_NAMES_PRESETS, {"paper", "fast", "balanced", "accurate"});
 }

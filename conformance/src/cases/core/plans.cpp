@@ -13,8 +13,8 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr const char* techniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa",    "ssaa",
-                                      "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+constexpr const char* techniques[] = {"single",     "fxaa",           "smaa", "taa",  "msaa", "ssaa",
+                                      "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
 
 std::string nameOf(const ViewParts& p) {
     return std::string("\"") + p.config.technique + "\", n = " + std::to_string(p.config.samples) + ", tier " +

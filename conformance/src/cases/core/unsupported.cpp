@@ -105,7 +105,8 @@ void testGlossWeight(Test& test) {
 }
 
 void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
-    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique :
+         {"single", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
         testRows(test, {{std::string("\"") + technique + "\" and visibilityTier = " + name, unsupported,
                          [=](ViewParts& p) {
                              p.setTechnique(technique, 4);
@@ -178,7 +179,8 @@ void testMixedSamples(Test& test) {
 }
 
 void testCounters(Test& test) {
-    for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+    for (const char* technique :
+         {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa"}) {
         const auto with = [=](uint64_t flags) {
             return [=](ViewParts& p) {
                 p.config.technique = technique;

@@ -116,8 +116,8 @@ void testConstants(Test& test) {
             useSeparateUnit(d);
             d.gl.constants = constants;
         });
-        for (const char* technique :
-             {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
+        for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
+                                      "sbaa", "agaa", "dcaa", "adaptive"}) {
             const std::string what = "agaaGlCreateView of \"" + std::string(technique) +
                                      "\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants);
             ViewDescription description(&test.device());

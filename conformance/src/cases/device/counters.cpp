@@ -188,8 +188,8 @@ void testShadowTaps(Test& test) {
 } // namespace
 
 void addCounterCases(Suite& suite) {
-    for (const char* technique :
-         {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
+                                  "sbaa", "agaa", "dcaa", "adaptive"})
         suite.both("general/counters_of_flat_scenes/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });
     suite.both("general/counters_are_0_if_not_requested", testNoCounters);

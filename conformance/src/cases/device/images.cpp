@@ -237,8 +237,8 @@ void testLights(Test& test, const char* technique) {
 } // namespace
 
 void addImageCases(Suite& suite) {
-    for (const char* technique :
-         {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+    for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
+                                  "sbaa", "agaa", "dcaa", "adaptive"})
         suite.both("general/images_of_lights/" + std::string(technique),
                    [technique](Test& test) { testLights(test, technique); });
 }

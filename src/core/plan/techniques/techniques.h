@@ -11,6 +11,7 @@ extern const Technique smaaTechnique;
 extern const Technique taaTechnique;
 extern const Technique msaaTechnique;
 extern const Technique ssaaTechnique;
+extern const Technique visibilityTechnique;
 extern const Technique simpleComplexTechnique;
 extern const Technique sbaaTechnique;
 extern const Technique agaaTechnique;
