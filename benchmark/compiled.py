@@ -92,7 +92,7 @@ def configurations():
 
     for technique in ("single", "fxaa", "smaa", "taa"):
         add(technique, technique, 1)
-    for technique in ("msaa", "ssaa", "simple_complex"):
+    for technique in ("msaa", "ssaa", "visibility", "simple_complex"):
         for n in (2, 4, 8, 16, 32):
             add(technique, technique, n)
     for tier in ("gbuffer", "ids"):
@@ -223,6 +223,14 @@ def measure(compiler, chosen, chips):
     return rows
 
 
+def merged(kept, rows):
+    """The rows, and the kept rows of all other configurations, in the order of configurations()."""
+    order = {configuration.name: place for place, configuration in enumerate(configurations())}
+    fresh = {row["configuration"] for row in rows}
+    others = [row for row in kept if row["configuration"] not in fresh and row["configuration"] in order]
+    return sorted(others + rows, key=lambda row: order[row["configuration"]])
+
+
 def kept_text(results):
     """The results as JSON with a line for each row."""
     rows = ",\n".join(json.dumps(row) for row in results["rows"])
@@ -277,7 +285,7 @@ def pass_table(passes, chips):
 
 def main():
     parser = tool_parser(__doc__, out=ROOT / "docs" / "results")
-    parser.add_argument("--only", action="append", metavar="TEXT", help="configurations whose name contains this; repeatable")
+    parser.add_argument("--only", action="append", metavar="TEXT", help="configurations whose name contains this; others keep their rows; repeatable")
     parser.add_argument("--chip", action="append", choices=CHIPS, help="only this one; repeatable")
     parser.add_argument("--counters", action="store_true", help="passes with counters")
     parser.add_argument("--layer", default=LAYER, type=pathlib.Path, help="folder of the layer")
@@ -294,6 +302,8 @@ def main():
         try:
             with Compiler(arguments.harness, arguments.layer, arguments.counters) as compiler:
                 rows = measure(compiler, chosen, chips)
+                if arguments.only and kept.exists():
+                    rows = merged(read_kept(kept.read_text())["rows"], rows)
                 results = {"driver": compiler.driver, "chips": chips, "rows": rows}
         except Unavailable as reason:
             sys.exit(f"compiled: {reason}.")
