@@ -36,7 +36,7 @@ def measure(runs, backend, scene, size, turns, frames):
     for turn in range(turns):
         for row, settings in ROWS.items():
             found = runs.kept(f"{backend}-{name}-{row}-{turn}", lambda: runs.call(
-                "render", *options, *settings, "--no-counters", "--no-timestamps", "--warmup", 1, "--frames", frames))
+                "render", *options, *settings, "--no-counters", "--no-timestamps", "--warmup", 3, "--frames", frames))
             times[row].append(found["frameMs"]["median"])
             bytes_per_pixel[row] = found["bytesPerPixel"]
 

@@ -5,6 +5,7 @@
     tools/hard_scenes.py --update            writes the table
     tools/hard_scenes.py --summarise FILE …  writes docs/results/hard-scenes.json from outputs of
                                              `agaa-harness hard-scenes --json` with one set of bounds, then the table
+    tools/hard_scenes.py --add FILE …        adds outputs of configurations that the kept results lack
     tools/hard_scenes.py --bounds FILE …     prints bounds for samples/harness/hard/frames.cpp: twice the largest
                                              errors of such outputs
 """
@@ -15,7 +16,7 @@ import pathlib
 import re
 import sys
 
-CLASSES = "few samples", "every sample", "surfaces", "aggregates", "one aggregate"
+CLASSES = "few samples", "every sample", "surfaces", "aggregates", "one aggregate", "one event"
 BEGIN, END = "<!-- hard-scenes begin -->", "<!-- hard-scenes end -->"
 PART = re.compile(f"{BEGIN}\n.*?{END}", re.DOTALL)
 
@@ -104,6 +105,37 @@ def summarise(paths):
                          for reason, names in sorted(refusals.items())]}
 
 
+def nearer(kept, added, value, bound, name):
+    """The one of two errors that is nearer to its bound."""
+    error = added if worst_of([kept, added], lambda w: w[value], lambda w: w[bound]) is added else kept
+    return {key: error[key] for key in (value, bound, name)}
+
+
+def merge_scene(kept, added):
+    for name, worst in kept["worst"].items():  # kept bounds include the error of the reference
+        for bound in "maxMseTm", "maxMeanError":
+            worst[bound] = rounded(worst[bound] + added["bounds"][name][bound] - kept["bounds"][name][bound])
+    for name, worst in added["worst"].items():
+        same = kept["worst"].get(name, worst)
+        kept["worst"][name] = {**nearer(same, worst, "mseTm", "maxMseTm", "configuration"),
+                               **nearer(same, worst, "meanError", "maxMeanError", "configurationOfMean")}
+    if "worstCheck" in added:
+        kept["worstCheck"] = nearer(kept["worstCheck"], added["worstCheck"], "value", "bound", "configuration")
+    kept["bounds"] = added["bounds"]
+    kept["rendered"] += added["rendered"]
+
+
+def add(summary, paths):
+    """Adds outputs to a summary. Bounds may differ from those of the summary, and become those of the outputs."""
+    added = summarise(paths)
+    scenes = {scene["scene"]: scene for scene in summary["scenes"]}
+    for scene in added["scenes"]:
+        merge_scene(scenes[scene["scene"]], scene)
+    for key in "configurations", "frames", "nonFinite", "sanitised", "lostFragments":
+        summary[key] += added[key]
+    return summary
+
+
 # ---- bounds --------------------------------------------------------------------------------------
 
 def above(value, least):
@@ -139,7 +171,7 @@ def cell(worst):
 
 
 def table(summary):
-    rows = [["scene", "cases", *CLASSES, "nearest to its bound", "check"], ["---"] * 9]
+    rows = [["scene", "cases", *CLASSES, "nearest to its bound", "check"], []]
     for scene in summary["scenes"]:
         worst = scene["worst"]
         nearest = worst_of(worst.values(), lambda w: w["mseTm"], lambda w: w["maxMseTm"])["configuration"] if worst else "–"
@@ -147,7 +179,7 @@ def table(summary):
         rows.append([f"`{scene['scene']}`", scene["cases"], *(cell(worst.get(name)) for name in CLASSES), nearest,
                      f"{scene['check']}: {number(check['value'])} of {number(check['bound'])}" if check else ""])
     lines = ["| " + " | ".join(row) + " |" for row in rows]
-    lines[1] = "|" + "---|" * 9
+    lines[1] = "|" + "---|" * len(rows[0])
     devices = " and ".join(f"{d['driver']} ({d['backend']})" for d in summary["devices"])
     return "\n".join([
         f"{summary['configurations']:,} combinations of a scene, a configuration and an API took {summary['frames']:,} "
@@ -167,20 +199,22 @@ def main():
     parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[1])
     parser.add_argument("--update", action="store_true")
     parser.add_argument("--summarise", nargs="+", metavar="FILE")
+    parser.add_argument("--add", nargs="+", metavar="FILE")
     parser.add_argument("--bounds", nargs="+", metavar="FILE")
     arguments = parser.parse_args()
     root = arguments.root
     try:
         if arguments.bounds:
             return print_bounds(arguments.bounds)
-        if arguments.summarise:
-            summary = summarise(arguments.summarise)
+        if arguments.summarise or arguments.add:
+            summary = (summarise(arguments.summarise) if arguments.summarise else
+                       add(json.loads(results_path(root).read_text()), arguments.add))
             results_path(root).write_text(json.dumps(summary, indent=1, ensure_ascii=False) + "\n")
         summary = json.loads(results_path(root).read_text())
         document = document_path(root)
         text = document.read_text()
         current = updated(text, summary)
-        if arguments.summarise or arguments.update:
+        if arguments.summarise or arguments.add or arguments.update:
             document.write_text(current)
         elif text != current:
             raise Error("The table of scenes in docs/numerics.md is not current: run tools/hard_scenes.py --update.")

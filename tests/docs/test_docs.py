@@ -206,7 +206,28 @@ class HardScenes(unittest.TestCase):
         self.assertEqual((run.returncode, again.returncode), (0, 0), run.stderr + again.stderr)
         self.assertEqual(stale.returncode, 1)
         self.assertIn("is not current", stale.stderr)
-        self.assertIn("| `mirror` | 2 | – | – | – | 2.0e-4 of 1.0e-3 | – | agaa n=8 c=2 ids vk | the plane: 0.5 of 1 |", text)
+        self.assertIn("| `mirror` | 2 | – | – | – | 2.0e-4 of 1.0e-3 | – | – | agaa n=8 c=2 ids vk | the plane: 0.5 of 1 |", text)
+        self.assertIn("2 combinations of a scene, a configuration and an API took 4 frames", text)
+
+    def test_outputs_are_added_to_the_kept_results(self):
+        def output(bound, **changes):
+            made = self.output(**changes)
+            made["scenes"][0]["bounds"] = {"aggregates": {"maxMseTm": bound, "maxMeanError": 0.02},
+                                           "one event": {"maxMseTm": 5e-3, "maxMeanError": 0.02}}
+            return made
+
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "docs/results").mkdir(parents=True)
+            (root / "docs/numerics.md").write_text("<!-- hard-scenes begin -->\n<!-- hard-scenes end -->\n")
+            for name, made in (("kept", output(1e-3)), ("added", output(3e-3, technique="visibility", aggregates=0, tier="auto",
+                                                                        shades="one event", mseTm=4e-3, maxMseTm=5e-3))):
+                (root / name).write_text(json.dumps(made))
+            for option, name in (("--summarise", "kept"), ("--add", "added")):
+                run = self.check("--root", folder, option, str(root / name))
+                self.assertEqual(run.returncode, 0, run.stderr)
+            text = (root / "docs/numerics.md").read_text()
+        self.assertIn("| 2.0e-4 of 3.0e-3 | – | 4.0e-3 of 5.0e-3 | visibility n=8 vk | the plane: 0.5 of 1 |", text)
         self.assertIn("2 combinations of a scene, a configuration and an API took 4 frames", text)
 
     def test_bounds_are_twice_the_largest_errors(self):
@@ -214,8 +235,8 @@ class HardScenes(unittest.TestCase):
             json.dump(self.output(mseTm=2.04e-4), file)
             file.flush()
             run = self.check("--bounds", file.name)
-        self.assertIn("mirror: .maxMseTm = bounds(1e-06, 1e-06, 1e-06, 0.00041, 1e-06)", run.stdout, run.stderr)
-        self.assertIn("mirror: .maxMeanError = bounds(0.001, 0.001, 0.001, 0.02, 0.001)", run.stdout)
+        self.assertIn("mirror: .maxMseTm = bounds(1e-06, 1e-06, 1e-06, 0.00041, 1e-06, 1e-06)", run.stdout, run.stderr)
+        self.assertIn("mirror: .maxMeanError = bounds(0.001, 0.001, 0.001, 0.02, 0.001, 0.001)", run.stdout)
 
     def test_runs_beyond_a_bound_are_not_kept(self):
         run, *_ = self.summarised(self.output(exceeds="error"))

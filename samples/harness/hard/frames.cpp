@@ -81,8 +81,9 @@ Finding jump(const Rendered& frame) {
 constexpr Bounds bounds(double few, double samples, double surfaces, double aggregates, double mean, double event) {
     return {std::numeric_limits<double>::infinity(), few, samples, surfaces, aggregates, mean, event};
 }
+// One event has the errors of few samples and of one aggregate.
 constexpr Bounds bounds(double few, double samples, double surfaces, double aggregates, double mean) {
-    return bounds(few, samples, surfaces, aggregates, mean, mean);
+    return bounds(few, samples, surfaces, aggregates, mean, std::max(few, mean));
 }
 
 } // namespace
