@@ -303,7 +303,10 @@ def main():
             with Compiler(arguments.harness, arguments.layer, arguments.counters) as compiler:
                 rows = measure(compiler, chosen, chips)
                 if arguments.only and kept.exists():
-                    rows = merged(read_kept(kept.read_text())["rows"], rows)
+                    others = read_kept(kept.read_text())
+                    if (others["driver"], others["chips"]) != (compiler.driver, chips) or arguments.counters:
+                        sys.exit(f"compiled: {kept} is of another driver, of other chips or without counters; take another folder.")
+                    rows = merged(others["rows"], rows)
                 results = {"driver": compiler.driver, "chips": chips, "rows": rows}
         except Unavailable as reason:
             sys.exit(f"compiled: {reason}.")

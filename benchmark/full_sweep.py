@@ -61,7 +61,8 @@ def main():
         if arguments.row:
             parser.error("--core has rows of its own; leave --row out.")
         arguments.row, arguments.no_ablation = CORE, True
-        arguments.size = "320x180" if arguments.size == parser.get_default("size") else arguments.size
+        isGiven = any(word.startswith("--size") for word in sys.argv)
+        arguments.size = arguments.size if isGiven else "320x180"
         arguments.rounds, arguments.jpeg = arguments.rounds or "3", arguments.jpeg or "85"
     common = [sweep, "--size", arguments.size]
     for backend in arguments.backend or ["vk", "gl"]:

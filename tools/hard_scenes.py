@@ -115,12 +115,14 @@ def merge_scene(kept, added):
     for name, worst in kept["worst"].items():  # kept bounds include the error of the reference
         for bound in "maxMseTm", "maxMeanError":
             worst[bound] = rounded(worst[bound] + added["bounds"][name][bound] - kept["bounds"][name][bound])
+            if worst[bound[3].lower() + bound[4:]] > worst[bound]:
+                raise Error(f"{kept['scene']}, {name}: a kept error exceeds the new {bound}.")
     for name, worst in added["worst"].items():
         same = kept["worst"].get(name, worst)
         kept["worst"][name] = {**nearer(same, worst, "mseTm", "maxMseTm", "configuration"),
                                **nearer(same, worst, "meanError", "maxMeanError", "configurationOfMean")}
     if "worstCheck" in added:
-        kept["worstCheck"] = nearer(kept["worstCheck"], added["worstCheck"], "value", "bound", "configuration")
+        kept["worstCheck"] = nearer(kept.get("worstCheck", added["worstCheck"]), added["worstCheck"], "value", "bound", "configuration")
     kept["bounds"] = added["bounds"]
     kept["rendered"] += added["rendered"]
 
@@ -129,8 +131,15 @@ def add(summary, paths):
     """Adds outputs to a summary. Bounds may differ from those of the summary, and become those of the outputs."""
     added = summarise(paths)
     scenes = {scene["scene"]: scene for scene in summary["scenes"]}
+    unknown = {scene["scene"] for scene in added["scenes"]} - set(scenes)
+    if unknown:
+        raise Error(f"The kept results lack {', '.join(sorted(unknown))}; summarise all outputs anew.")
     for scene in added["scenes"]:
         merge_scene(scenes[scene["scene"]], scene)
+    refusals = {refusal["reason"]: set(refusal["configurations"]) for refusal in summary["refusals"]}
+    for refusal in added["refusals"]:
+        refusals.setdefault(refusal["reason"], set()).update(refusal["configurations"])
+    summary["refusals"] = [{"reason": reason, "configurations": sorted(names)} for reason, names in sorted(refusals.items())]
     for key in "configurations", "frames", "nonFinite", "sanitised", "lostFragments":
         summary[key] += added[key]
     return summary

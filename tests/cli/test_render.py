@@ -38,7 +38,7 @@ class Render(unittest.TestCase):
 
     def test_counting_changes_no_pixel(self):
         for technique in self.shared(
-                ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")):
+                ("single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")):
             with self.subTest(technique=technique):
                 counted, bare = self.path("counted.exr"), self.path("bare.exr")
                 self.render(*options(technique), "--exr", counted, size="48x27")
@@ -136,7 +136,7 @@ class Render(unittest.TestCase):
     def test_work_is_within_the_bounds_of_prices(self):
         ids, gbuffer = ["--tier", "generation=ids"], ["--tier", "generation=gbuffer"]
         views = [options(technique) for technique in
-                 ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")]
+                 ("single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")]
         views += [[*options("dcaa"), "--exact", "--fragments-per-pixel", "64"], [*ids, "--lit", "--samples", "32"],
                   [*gbuffer, "--shadow-along-depth"], [*gbuffer, "--no-shadow-filter", "--aggregates", "4"],
                   [*ids, "--samples", "32", "--shadow-taps", "4", "--fine-materials"],

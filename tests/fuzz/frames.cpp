@@ -176,7 +176,7 @@ uint32_t anyTier(fuzz::Choices& choices, std::string_view technique) {
 RenderSettings anySettings(fuzz::Choices& choices) {
     RenderSettings settings;
     static const char* const techniques[] = {"single", "fxaa", "msaa",     "ssaa", "simple_complex", "sbaa",
-                                             "agaa",   "agaa", "adaptive", "dcaa", "dcaa",           "agaa"};
+                                             "agaa",   "smaa", "adaptive", "dcaa", "visibility",     "taa"};
     static const uint32_t counts[] = {1, 2, 4, 4, 8, 8, 16, 32}, coverageCounts[] = {32, 64, 128};
     TechniqueConfig& config = settings.config;
     config.technique = choices.of(techniques);

@@ -110,13 +110,15 @@ TEST(MotionError, ResponseIsTheShareOfAChange) {
     EXPECT_NEAR(error.response[2], 1, 1e-5);
 }
 
-// A surface at distance 2, four pixels wide, moves right by a pixel a frame in front of one at distance 5 or none.
-MotionImage passing(uint32_t frame, float behind) {
+// A surface at distance 2, four pixels wide, moves right by a pixel a frame, or left, in front of one at distance 5 or
+// none.
+MotionImage passing(uint32_t frame, float behind, bool isLeftward = false) {
     MotionImage motion{width, height, {}, {}, {}};
     for (uint32_t y = 0; y < height; ++y)
-        for (uint32_t x = 0; x < width; ++x) {
+        for (uint32_t i = 0; i < width; ++i) {
+            const uint32_t x = isLeftward ? width - 1 - i : i;
             const bool isFront = x >= frame && x < frame + 4;
-            motion.toPrevious.push_back({isFront ? -1 : 0, 0});
+            motion.toPrevious.push_back({isFront ? isLeftward ? 1 : -1 : 0, 0});
             motion.distance.push_back(isFront ? 2 : behind);
             motion.previousDistance.push_back(motion.distance.back());
         }
@@ -124,17 +126,19 @@ MotionImage passing(uint32_t frame, float behind) {
 }
 
 TEST(Disocclusion, IsWhatThePassingSurfaceLeaves) {
-    for (const float behind : {5.0f, farAway}) {
-        Disocclusion disocclusion;
-        for (uint32_t frame = 0; frame <= 12; ++frame)
-            disocclusion.add(passing(frame, behind));
-        for (uint32_t x = 1; x < width; ++x) {
-            const bool isLeft = x >= 12 - Disocclusion::frames && x < 12;
-            EXPECT_EQ(disocclusion.isNew(3 * width + x), isLeft) << x;
-            EXPECT_EQ(disocclusion.wasVisible(3 * width + x), x != 11) << x;
+    for (const bool isLeftward : {false, true})
+        for (const float behind : {5.0f, farAway}) {
+            Disocclusion disocclusion;
+            for (uint32_t frame = 0; frame <= 12; ++frame)
+                disocclusion.add(passing(frame, behind, isLeftward));
+            for (uint32_t x = 1; x < width; ++x) {
+                const bool isUncovered = x >= 12 - Disocclusion::frames && x < 12;
+                const uint32_t at = isLeftward ? width - 1 - x : x;
+                EXPECT_EQ(disocclusion.isNew(3 * width + at), isUncovered) << x;
+                EXPECT_EQ(disocclusion.wasVisible(3 * width + at), x != 11) << x;
+            }
+            EXPECT_NEAR(disocclusion.share(), double(Disocclusion::frames) / width, 0.05);
         }
-        EXPECT_NEAR(disocclusion.share(), double(Disocclusion::frames) / width, 0.05);
-    }
 }
 
 TEST(Disocclusion, OutsideOfTheImageIsHidden) {

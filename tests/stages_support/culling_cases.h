@@ -54,7 +54,8 @@ TYPED_TEST_SUITE_P(CullingCases);
 TYPED_TEST_P(CullingCases, ImagesAreBitEqual) {
     const Shot shot = this->shotOf(100, 1);
     size_t setting = 0;
-    for (const char* technique : {"single", "ssaa", "simple_complex", "adaptive", "agaa", "sbaa", "fxaa"}) {
+    for (const char* technique :
+         {"single", "ssaa", "simple_complex", "adaptive", "agaa", "sbaa", "fxaa", "visibility"}) {
         if (!rendersSetting<TypeParam>(setting++))
             continue;
         SCOPED_TRACE(technique);

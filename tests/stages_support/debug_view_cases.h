@@ -34,7 +34,7 @@ protected:
 TYPED_TEST_SUITE_P(DebugViewCases);
 
 TYPED_TEST_P(DebugViewCases, NumbersAreThoseOfTheCounters) {
-    for (const char* technique : {"single", "ssaa", "simple_complex", "sbaa", "agaa", "adaptive"}) {
+    for (const char* technique : {"single", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "adaptive"}) {
         const Shown events = this->render(technique, AGAA_TIER_AUTO, AGAA_DEBUG_VIEW_EVENTS);
         EXPECT_EQ(this->sumOfRed(events), double(events.counters.shadingEvents)) << technique;
     }

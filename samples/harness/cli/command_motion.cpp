@@ -5,6 +5,7 @@
 #include "render/motion_error.h"
 #include "render/quantiles.h"
 #include "render/reference.h"
+#include "render/view_key.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include <deque>
 #include <filesystem>
 #include <iostream>
+#include <map>
 
 namespace harness {
 
@@ -42,8 +44,27 @@ PlanArguments parseRow(const std::string& options, const PlanArguments& base) {
     } catch (const CLI::ParseError& error) {
         throw BadArgument("--row \"" + options + "\": " + error.what());
     }
+    for (const char* option : {"--size", "--brdf"})
+        if (app.count(option) > 0)
+            throw BadArgument("--row \"" + options + "\": all rows and the reference have the same " + (option + 2) +
+                              ".");
     plan.size = base.size;
     return plan;
+}
+
+// Throws if two rows would share a view of the SDK, and with it their history.
+void requireOwnViews(const std::deque<Row>& rows) {
+    std::map<std::string, std::string> known; // options by key
+    for (const Row& row : rows) {
+        AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
+        desc.config = &row.settings.config;
+        desc.facts = &row.settings.facts;
+        desc.flags = row.settings.vertexPulling ? AGAA_VIEW_VERTEX_PULLING : 0;
+        const auto [other, isNew] = known.emplace(viewKey(desc), row.options);
+        if (!isNew)
+            throw BadArgument("--row \"" + row.options + "\" has the view of --row \"" + other->second +
+                              "\"; rows must differ in more than their jitter.");
+    }
 }
 
 class MotionRun {
@@ -58,11 +79,16 @@ public:
             row.settings = renderSettings(view, row.configuration, still);
         }
         const std::shared_ptr<const Motion> motion = sceneMotion(arguments.motion, scene_, rows_.front().settings);
+        reference_ = renderSettings(arguments.base, Configuration(arguments.base.plan), still);
+        reference_.config = TechniqueConfig(); // the configuration above is gone
+        reference_.facts = sceneFacts(scene_, reference_.lights);
+        reference_.motion = motion;
         for (Row& row : rows_) {
             row.settings.facts = sceneFacts(scene_, row.settings.lights);
             row.settings.motion = motion;
             row.settings.frames = 1;
         }
+        requireOwnViews(rows_);
         DeviceArguments device = arguments.base.device;
         device.noValidation = true; // drivers are measured, not the layers above them
         device.keptViews = uint32_t(rows_.size()) + 2;
@@ -101,7 +127,7 @@ private:
     }
 
     void measureFrame(uint32_t frame) {
-        RenderSettings settings = rows_.front().settings;
+        RenderSettings settings = reference_;
         settings.firstFrame = frame;
         const MotionImage motion = renderMotion(*renderer_, settings);
         disocclusion_.add(motion);
@@ -151,6 +177,7 @@ private:
     const MotionArguments& arguments_;
     Scene scene_;
     std::deque<Row> rows_; // a Configuration does not move
+    RenderSettings reference_;
     std::unique_ptr<Renderer> renderer_;
     Disocclusion disocclusion_;
     double noise_ = 0, disoccluded_ = 0; // sums over frames
@@ -160,6 +187,9 @@ private:
 
 void runMotion(const MotionArguments& arguments, bool asJson) {
     requireBackend(arguments.base.device.backend);
+    if (arguments.motion == "light" && arguments.frames <= switchedOnFrame)
+        throw BadArgument("--frames must be more than " + std::to_string(switchedOnFrame) +
+                          ", because the light is dark before.");
     const json out = MotionRun(arguments).run();
     if (asJson) {
         std::cout << out.dump(2) << '\n';

@@ -181,6 +181,8 @@ Measurement measure(Renderer& renderer, RenderSettings settings, const RenderArg
     }
     if (!arguments.noCounters) {
         settings.config.flags |= AGAA_CONFIG_COUNTERS;
+        if (settings.motion) // the frame that the image shows
+            settings.firstFrame += settings.warmup + settings.frames - 1;
         settings.frames = 1;
         settings.warmup = 0;
         m.counted = renderer.render(settings);

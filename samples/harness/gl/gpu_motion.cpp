@@ -7,6 +7,7 @@
 namespace harness::gl {
 
 constexpr GLuint unit = 30; // MOTION_AT of shaders/interface.glsl
+constexpr size_t rowsPerDraw = std::tuple_size_v<MotionRows>;
 
 GpuMotion::GpuMotion(const GladGLContext& gl)
     : gl_(&gl), rows_(createBuffer(gl)), texels_(createTexture(gl, GL_TEXTURE_BUFFER)) {
@@ -20,7 +21,7 @@ void GpuMotion::update(const std::vector<Draw>& draws) {
     const std::vector<MotionRows> rows = motionRows(draws);
     GLint most = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    if (rows.size() * std::tuple_size_v < MotionRows >> size_t(most))
+    if (rows.size() * rowsPerDraw > size_t(most))
         throw std::runtime_error("The scene has more draws than the device's texture buffers hold.");
     gl_->NamedBufferData(rows_.get(), GLsizeiptr(rows.size() * sizeof(MotionRows)), rows.data(), GL_STREAM_DRAW);
 }

@@ -11,7 +11,7 @@ class ShadowMaps {
 public:
     ShadowMaps(const GladGLContext& gl, uint32_t size);
 
-    // Renders if the lights, the camera or the offset differ from the last call.
+    // Renders if the lights, the camera, the offset or the placement of the instances differ from the last call.
     void update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
                 const CameraMatrices& camera, uint64_t placement);
     // Must be called when the scene changes.

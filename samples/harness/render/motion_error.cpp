@@ -51,6 +51,7 @@ std::vector<double> detailOf(const Image& image) {
 } // namespace
 
 void Disocclusion::add(const MotionImage& motion) {
+    constexpr float leastWeight = 0.2f; // of the pixels that show a place; one has 1/4 at least
     const size_t pixels = motion.distance.size();
     std::vector<uint32_t> age(pixels, frames);
     for (size_t i = 0; i < pixels && !age_.empty(); ++i) {
@@ -58,7 +59,9 @@ void Disocclusion::add(const MotionImage& motion) {
         bool wasHidden = true;
         uint32_t oldest = 0;
         const bool isInside =
-            visitAround(previousPlace(motion, i), motion.width, motion.height, [&](size_t pixel, float) {
+            visitAround(previousPlace(motion, i), motion.width, motion.height, [&](size_t pixel, float weight) {
+                if (weight < leastWeight)
+                    return;
                 if (std::isinf(expected) ? std::isfinite(distance_[pixel]) : distance_[pixel] < 0.98f * expected)
                     return;
                 wasHidden = false;

@@ -14,8 +14,9 @@ class Disocclusion {
 public:
     static constexpr uint32_t frames = 8; // for which a pixel counts as disoccluded
 
-    // Adds the next frame. A surface was hidden if the four pixels around its place in the previous frame showed nearer
-    // ones, by more than a 50th of the distance, or if the place was outside of the image.
+    // Adds the next frame. A surface was hidden if the pixels at its place in the previous frame showed nearer ones, by
+    // more than a 50th of the distance, or if the place was outside of the image. Pixels that have less than a fifth of
+    // the place do not count.
     void add(const MotionImage& motion);
     // Returns whether the pixel's surface became visible within the last `frames` frames.
     bool isNew(size_t pixel) const { return age_[pixel] < frames; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace harness {
 
@@ -16,6 +17,8 @@ static float decodedDistance(float emission, double unit) {
 }
 
 MotionImage renderMotion(Renderer& renderer, RenderSettings settings) {
+    if (settings.camera.height > 0)
+        throw std::runtime_error("Images of the motion need a perspective camera.");
     settings.config = TechniqueConfig();
     settings.config.technique = "single";
     const AgaaLayout layout = referenceLayout(nullptr);

@@ -15,8 +15,8 @@ struct MotionImage {
 };
 
 // Renders the motion between the frame before settings.firstFrame and that frame, at the centres of pixels. Frame 0 has
-// no motion. The settings' technique, lights and background are not used. Displacements of more than a quarter of the
-// image are clamped.
+// no motion. Throws std::runtime_error for an orthographic camera. The settings' technique, lights and background are
+// not used. Displacements of more than a quarter of the image are clamped.
 MotionImage renderMotion(Renderer& renderer, RenderSettings settings);
 
 } // namespace harness

@@ -8,18 +8,22 @@ namespace harness::vk {
 
 class GpuMotion {
 public:
-    GpuMotion(const Device& device, size_t maxDraws);
+    // set and binding: the descriptor of the texel buffer, which the object writes.
+    GpuMotion(const Device& device, VkDescriptorSet set, uint32_t binding);
 
-    // Writes the texel buffer's descriptor. No command that uses the set may be pending.
-    void write(VkDescriptorSet set, uint32_t binding) const;
-    // Replaces the rows. No command that reads them may be pending.
+    // Replaces the rows. No command that reads them, or uses the set, may be pending.
     void update(const std::vector<Draw>& draws);
 
 private:
+    void reserve(size_t draws);
+
     const Device* device_;
+    VkDescriptorSet set_;
+    uint32_t binding_;
     Arena arena_;
     BufferResource rows_;
     BufferView texels_;
+    size_t capacity_ = 0; // draws
 };
 
 } // namespace harness::vk

@@ -13,8 +13,8 @@ class ShadowMaps {
 public:
     ShadowMaps(const Device& device, uint32_t size);
 
-    // Renders if the lights, the camera or the offset differ from the last call. The camera's jitter and image size do
-    // not matter: all frames of a view share their maps.
+    // Renders if the lights, the camera, the offset or the placement of the instances differ from the last call. The
+    // camera's jitter and image size do not matter: all frames of a scene at rest share their maps.
     void update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
                 const CameraMatrices& camera, uint64_t placement);
     // Must be called when the scene changes.

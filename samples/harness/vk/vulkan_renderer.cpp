@@ -45,6 +45,7 @@ void VulkanRenderer::createCameraSet() {
     write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     write.pBufferInfo = &buffer;
     vkUpdateDescriptorSets(device_.get(), 1, &write, 0, nullptr);
+    motion_.emplace(device_, cameraSet_.get(), motionBinding);
 }
 
 void VulkanRenderer::upload() {
@@ -52,10 +53,7 @@ void VulkanRenderer::upload() {
     fetch_.reset();
     strips_.reset();
     gpuScene_.reset();
-    motion_.reset();
     gpuScene_.emplace(device_, scene());
-    motion_.emplace(device_, scene().instances.size());
-    motion_->write(cameraSet_.get(), motionBinding);
 }
 
 const AgaaFetchFunction* VulkanRenderer::fetchFunction(bool coversByEdges) {

@@ -1,7 +1,8 @@
 // Gives each sample of a G-buffer the light of a shading event of its surface, and resolves the samples (subpixel
 // reconstruction, Chajdas et al. 2011). shade_one.comp has shaded one sample of each pixel. A sample takes its own
-// pixel's event if this shows its surface, otherwise the mean of the events around that do, otherwise the most similar
-// event. Light moves to the sample's own reflectance, so that textures are not blurred.
+// pixel's event if this shows its surface with a similar reflectance, otherwise the mean of the events around that show
+// its surface, otherwise the most similar event. Light moves to the sample's own reflectance, so that textures are not
+// blurred.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -38,7 +39,7 @@ void agaa_loadEvent(uint at, ivec2 offset) {
     const vec2 place = vec2(offset) + agaa_sampleLocation(i);
     agaa_eventPositions[at] = vec4(p.position, 1.0);
     agaa_eventNormals[at] = vec4(p.normal, place.x);
-    agaa_eventLights[at] = vec4(max(texel.rgb - s.emissive, vec3(0.0)), place.y);
+    agaa_eventLights[at] = vec4(texel.rgb, place.y);
     agaa_eventColors[at] = agaa_reflectance(s);
 }
 
@@ -50,14 +51,24 @@ float agaa_differenceOfEvent(agaa_SurfacePoint p, int at) {
     return agaa_surfaceDifference(p, agaa_SurfacePoint(agaa_eventPositions[at].xyz, agaa_eventNormals[at].xyz));
 }
 
-// Returns the light of the event on a surface of this reflectance.
-vec3 agaa_lightOf(int at, vec3 color) {
+// Returns the reflectance by that of the event. The light of dark events is mostly highlights, which do not scale.
+vec3 agaa_ratioTo(int at, vec3 color) {
     const float dark = 0.002; // below it, ratios of reflectances are mostly rounding
-    const vec3 ratio = (color + dark) / (agaa_eventColors[at] + dark);
-    return agaa_eventLights[at].rgb * min(ratio, vec3(16.0));
+    return (color + dark) / (agaa_eventColors[at] + dark);
+}
+
+// Returns the light of the event on a surface of this reflectance.
+vec3 agaa_lightOf(int at, vec3 color) { return agaa_eventLights[at].rgb * min(agaa_ratioTo(at, color), vec3(16.0)); }
+
+// Returns 1 for equal reflectances, and less the more a channel differs.
+float agaa_likenessOf(int at, vec3 color) {
+    const vec3 ratio = agaa_ratioTo(at, color);
+    const vec3 likeness = min(ratio, 1.0 / ratio);
+    return min(likeness.x, min(likeness.y, likeness.z));
 }
 
 const int agaa_ownEvent = 4;
+const float agaa_similar = 0.25; // likeness of reflectances at which light is not looked for elsewhere
 
 // Returns the radiance of a covered sample.
 vec3 agaa_reconstructed(uvec2 pixel, uint i, ivec2 lane) {
@@ -68,7 +79,7 @@ vec3 agaa_reconstructed(uvec2 pixel, uint i, ivec2 lane) {
     int nearest = agaa_eventAt(lane, agaa_ownEvent);
     float least = agaa_differenceOfEvent(p, nearest);
     vec4 sum = vec4(agaa_lightOf(nearest, color), 1.0);
-    if (least > 1.0) {
+    if (least > 1.0 || agaa_likenessOf(nearest, color) < agaa_similar) {
         sum = vec4(0.0);
         for (int k = 0; k < 9; ++k) {
             const int at = agaa_eventAt(lane, k);
@@ -78,7 +89,7 @@ vec3 agaa_reconstructed(uvec2 pixel, uint i, ivec2 lane) {
             nearest = difference < least ? at : nearest;
             least = min(least, difference);
             const vec2 away = vec2(agaa_eventNormals[at].w, agaa_eventLights[at].w) - place;
-            const float weight = difference <= 1.0 ? 1.0 / (0.1 + dot(away, away)) : 0.0;
+            const float weight = difference <= 1.0 ? agaa_likenessOf(at, color) / (0.1 + dot(away, away)) : 0.0;
             sum += weight * vec4(agaa_lightOf(at, color), 1.0);
         }
         if (sum.a == 0.0)

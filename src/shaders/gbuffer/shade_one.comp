@@ -1,5 +1,5 @@
 // Shades one sample of each pixel: the covered one that is nearest to the mean of all in normal and distance. The image
-// has its radiance, and in alpha its index + 1, or 0 where no sample is covered.
+// has its radiance without emission, and in alpha its index + 1, or 0 where no sample is covered.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -41,13 +41,15 @@ agaa_Represented agaa_representedOf(uvec2 pixel) {
         return r;
     const float count = float(bitCount(r.covered));
     const float meanDepth = depths / count;
+    const float unit = max(abs(meanDepth), 1e-20);
+    r.first = uint(findLSB(r.covered));
     float nearest = 1e30;
     for (uint rest = r.covered; rest != 0u; rest &= rest - 1u) {
         const uint i = uint(findLSB(rest));
         const agaa_SurfacePoint p = agaa_surfacePoint(pixel, i);
         const vec2 aside = agaa_sampleLocation(i) - 0.5;
         // The last term prefers the middle of the pixel among samples of one surface.
-        const float distance = 1.0 - dot(p.normal, normals) / count + abs(p.position.z / meanDepth - 1.0) +
+        const float distance = 1.0 - dot(p.normal, normals) / count + abs(p.position.z - meanDepth) / unit +
                                0.01 * dot(aside, aside);
         r.first = distance < nearest ? i : r.first;
         nearest = min(nearest, distance);
@@ -61,14 +63,17 @@ agaa_Represented agaa_representedOf(uvec2 pixel) {
     return r;
 }
 
+// Returns the event's light without its emission, which is the sample's own.
 vec3 agaa_shadeEvent(uint lane, uint i) {
     const uvec2 pixel = agaa_pixelOf(lane);
     agaa_findVisibility(pixel, agaa_representedSamples[lane]);
     agaa_findSpread(pixel, i, agaa_representedSamples[lane]);
     agaa_fetchSample(pixel, i);
     const agaa_Surface s = agaa_sampleSurface();
-    return agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)
-                              : agaa_lightSurface(s, agaa_samplePosition(pixel, i));
+    if (agaa_showsEvents())
+        return agaa_shownOfEvent(0u, 0.0, s.diffuse);
+    const vec3 emission = agaa_leavesOut(AGAA_FACT_EMISSIVE) ? vec3(0.0) : s.emissive;
+    return max(agaa_lightSurface(s, agaa_samplePosition(pixel, i)) - emission, vec3(0.0));
 }
 
 void main() {
@@ -86,9 +91,10 @@ void main() {
     agaa_countEvents(agaa_eventsOf(work));
     agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
     const vec3 color = agaa_shadeWork(work);
-    const vec3 shown = covered != 0u ? color : agaa_backgroundPixel(ivec2(pixel)).rgb;
-    const float alpha = agaa_showsEvents() ? 1.0 : covered != 0u ? float(r.first + 1u) : 0.0;
-    if (isInside)
-        imageStore(agaa_output, ivec2(pixel), vec4(agaa_representableColor(shown), alpha));
+    if (isInside && agaa_showsEvents())
+        agaa_writePixel(pixel, work, color * float(covered));
+    else if (isInside)
+        imageStore(agaa_output, ivec2(pixel),
+                   vec4(agaa_representableColor(color), covered != 0u ? float(r.first + 1u) : 0.0));
     agaa_countEnd();
 }
