@@ -100,7 +100,9 @@ bool isInCell(glm::vec2 at) {
 // The share of a pixel that it covers, which coverage samples approximate.
 constexpr float cellArea = (0.96f * 0.96f - 0.08f * 0.08f) / 2;
 
-bool isFxaa(const TechniqueTier& tier) { return std::strcmp(tier.technique, "fxaa") == 0; }
+bool filtersImage(const TechniqueTier& tier) {
+    return std::strcmp(tier.technique, "fxaa") == 0 || std::strcmp(tier.technique, "smaa") == 0;
+}
 
 bool sameBits(const std::vector<float>& a, const std::vector<float>& b, size_t pixel) {
     return std::memcmp(&a[3 * pixel], &b[3 * pixel], 3 * sizeof(float)) == 0;
@@ -300,7 +302,7 @@ void expectReplaced(const GridFrames& frames, const TechniqueTier& tier, const B
 }
 
 void expectNoNeighbourChanges(const GridFrames& frames, const TechniqueTier& tier, const BadGrid& grid) {
-    if (isFxaa(tier))
+    if (filtersImage(tier))
         return; // expectWithinWeight has its bound
     std::vector<bool> isCell(frames.good.rgb.size() / 3);
     for (const BadCell& cell : grid.cells())
@@ -313,7 +315,7 @@ void expectNoNeighbourChanges(const GridFrames& frames, const TechniqueTier& tie
     EXPECT_EQ(changed, 0u) << "neighbours of bad fragments changed";
 }
 
-// FXAA mixes each pixel with one of its four neighbours.
+// Filters of edges mix each pixel with its four neighbours.
 static void expectWithinFilter(const std::vector<float>& filtered, const std::vector<float>& single, glm::uvec2 size) {
     for (uint32_t y = 0; y < size.y; ++y)
         for (uint32_t x = 0; x < size.x; ++x)
@@ -331,7 +333,7 @@ static void expectWithinFilter(const std::vector<float>& filtered, const std::ve
 
 void expectWithinWeight(const GridFrames& frames, const GridFrames& single, const TechniqueTier& tier,
                         const BadGrid& grid) {
-    if (isFxaa(tier)) {
+    if (filtersImage(tier)) {
         expectWithinFilter(frames.bad.rgb, single.bad.rgb, frames.extent);
         return;
     }

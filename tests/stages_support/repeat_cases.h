@@ -25,10 +25,10 @@ inline OrderEffect orderEffect(const TechniqueTier& tier) {
     return mergesInOrder ? OrderEffect::Merging : OrderEffect::None;
 }
 
-// Returns whether each sample with a tie shows in its own pixel and in no other: fxaa filters, and sbaa and adaptive
-// compare samples that they do not shade.
+// Returns whether each sample with a tie shows in its own pixel and in no other: fxaa, smaa and visibility take from
+// other pixels, and sbaa and adaptive compare samples that they do not shade.
 inline bool showsAllSamples(const TechniqueTier& tier) {
-    for (const char* technique : {"fxaa", "sbaa", "adaptive"})
+    for (const char* technique : {"fxaa", "smaa", "visibility", "sbaa", "adaptive"})
         if (std::strcmp(tier.technique, technique) == 0)
             return false;
     return true;

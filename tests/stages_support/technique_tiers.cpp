@@ -17,7 +17,6 @@ const std::vector<TechniqueTier>& techniqueTiers() {
         {.technique = "single", .n = 1},
         {.technique = "fxaa", .n = 1},
         {.technique = "smaa", .n = 1},
-        {.technique = "taa", .n = 1},
         {.technique = "msaa", .n = 4, .evaluations = EachTexel},
         {.technique = "msaa", .n = 8, .evaluations = EachTexel},
         {.technique = "ssaa", .n = 8, .evaluations = EachTexel},

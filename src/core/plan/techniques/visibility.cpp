@@ -28,11 +28,11 @@ void build(PlanBuilder& b) {
     gbuffer.bind(b, reconstruct);
 }
 
-ShadingWork oneSample(const ViewSettings&) { return {1, 1}; }
+ShadingWork oneEvent(const ViewSettings& view) { return {1, view.samples}; }
 
 } // namespace
 
 const Technique visibilityTechnique = {
-    .name = "visibility", .maxSamples = 32, .build = build, .work = oneSample, .resolve = resolve};
+    .name = "visibility", .maxSamples = 32, .build = build, .work = oneEvent, .resolve = resolve};
 
 } // namespace agaa
