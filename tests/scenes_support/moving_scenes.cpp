@@ -101,8 +101,8 @@ void expectAccumulationFollowsMotion(Renderer& renderer) {
     ASSERT_TRUE(a.ghosting && b.ghosting);
     std::printf("taa by single: error %.3f, ghosting %.3f; sharpness %.3f and %.3f\n", a.error / b.error,
                 *a.ghosting / *b.ghosting, a.sharpness, b.sharpness);
-    EXPECT_LT(a.error, 0.2 * b.error);
-    EXPECT_LT(*a.ghosting, 0.45 * *b.ghosting);
+    EXPECT_LT(a.error, 0.17 * b.error);
+    EXPECT_LT(*a.ghosting, 0.3 * *b.ghosting);
     EXPECT_GT(a.sharpness, 0.35);
 }
 

@@ -244,14 +244,7 @@ TYPED_TEST_P(HistoryCases, HistoryIsClippedToTheColoursAround) {
 
 // A box of stripes moves by four pixels before a wall that stands still.
 TYPED_TEST_P(HistoryCases, HistoryFollowsMotionVectors) {
-    AgaaLayout layout = AGAA_LAYOUT_INIT;
-    ASSERT_EQ(agaaGetBuiltinLayout("precise", &layout), AGAA_OK);
-    AgaaLayoutAttribute velocity = AGAA_LAYOUT_ATTRIBUTE_INIT;
-    velocity.semantic = AGAA_SEMANTIC_CUSTOM;
-    velocity.channels = 2;
-    velocity.sampleBits = 16;
-    velocity.name = "velocity";
-    layout.attributes[layout.attributeCount++] = velocity;
+    const AgaaLayout layout = layoutWithVelocity();
     ViewSettings settings = historySettings();
     settings.config.layout = &layout;
     settings.config.temporal.motion = "velocity";

@@ -113,6 +113,18 @@ std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMa
            "u\n" + "#define STAGE_INSTANCE_STEP " + instanceStep + "\n";
 }
 
+AgaaLayout layoutWithVelocity() {
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
+    EXPECT_EQ(agaaGetBuiltinLayout("precise", &layout), AGAA_OK);
+    AgaaLayoutAttribute velocity = AGAA_LAYOUT_ATTRIBUTE_INIT;
+    velocity.semantic = AGAA_SEMANTIC_CUSTOM;
+    velocity.channels = 2;
+    velocity.sampleBits = 16;
+    velocity.name = "velocity";
+    layout.attributes[layout.attributeCount++] = velocity;
+    return layout;
+}
+
 AgaaLight sun() {
     AgaaLight light{};
     light.type = AGAA_LIGHT_DIRECTIONAL;

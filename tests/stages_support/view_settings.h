@@ -98,6 +98,8 @@ extern const char* const emitText;
 // Defines for the material shader.
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked);
 
+// "precise" with the attribute `velocity` for motion vectors.
+AgaaLayout layoutWithVelocity();
 // Directional, along -z, without shadow.
 AgaaLight sun();
 // The sun, then point and spot lights among randomTriangles(), some of which have no end.
