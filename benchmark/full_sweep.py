@@ -16,12 +16,13 @@ from runs import ROOT, find_scenes, require_harness, write_json
 
 # Hard scenes come first, so that an interrupted run has them.
 FIRST = ["bamboo", "foliage", "furball", "metal", "sh3d_foliage"]
-# --core: each technique, and the settings that hosts choose among, with one heavier shading cost.
-CORE = ["single-1", "fxaa-1", "smaa-1", "taa-1", "msaa-8", "ssaa-4", "ssaa-8", "ssaa-32", "visibility-8", "visibility-32",
-        "simple_complex-8", "simple_complex-32", "sbaa-8-2", "agaa-4-2", "agaa-8-2", "agaa-32-2", "agaa-8-2-gbuffer",
-        "agaa-8-2-ids", "agaa-8-fast-ids", "agaa-8-balanced-ids", "agaa-8-accurate-ids", "agaa-32-accurate-ids",
-        "dcaa-64-4", "dcaa-64-exact", "agaa-64-2-fragments", "adaptive-8-device", "ssaa-8-cost4", "visibility-8-cost4",
-        "agaa-8-2-cost4-ids"]
+# --core: each technique, the settings that hosts choose among, and heavier shading.
+CORE = ["single-1", "fxaa-1", "smaa-1", "taa-1", "msaa-8", "ssaa-4", "simple_complex-4", "ssaa-8", "visibility-8",
+        "simple_complex-8", "ssaa-32", "visibility-32", "simple_complex-32", "sbaa-8-2", "agaa-4-2", "agaa-8-2", "agaa-32-2",
+        "agaa-8-2-gbuffer", "agaa-8-2-ids", "agaa-32-2-gbuffer", "agaa-32-2-ids", "agaa-8-fast-gbuffer", "agaa-8-fast-ids",
+        "agaa-8-balanced-gbuffer", "agaa-8-balanced-ids", "agaa-8-accurate-ids", "agaa-32-accurate-gbuffer",
+        "agaa-32-accurate-ids", "dcaa-64-4", "dcaa-64-exact", "agaa-64-2-fragments", "adaptive-8-device", "adaptive-9"]
+CORE += [f"{row}-cost{cost}{tier}" for cost in (4, 16) for row, tier in (("ssaa-8", ""), ("visibility-8", ""), ("agaa-8-2", "-ids"))]
 # This scene has all effects, emission and normal maps included, so that each is measured with and without need for it.
 PLAIN = "city"
 

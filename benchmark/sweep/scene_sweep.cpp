@@ -123,6 +123,7 @@ void SceneSweep::countEvents() {
     for (Measured& m : rows_) {
         if (const Measured* same = sameButCost(m)) {
             m.counters = same->counters;
+            m.counters.lightEvaluations *= m.row.shadingCost;
             continue;
         }
         const bool showsEvents = m.row.technique != "msaa";
@@ -353,9 +354,12 @@ json SceneSweep::rowJson(const Measured& m) const {
             {"eventsPerPixel", double(c.shadingEvents) / pixels},
             {"eventsPerCoveredPixel", c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0},
             {"shadowTapsPerPixel", double(c.shadowTaps) / pixels},
+            {"lightEvaluationsPerPixel", double(c.lightEvaluations) / pixels},
             {"aggregatesPerPixel", double(c.aggregates) / pixels},
             {"primitivesPerPixel", double(c.primitives) / pixels},
             {"materialsPerPixel", double(c.materials) / pixels},
+            {"fragmentsPerPixel", double(c.fragments) / pixels},
+            {"lostFragments", c.lostFragments},
             {"widenedLobesPerPixel", double(c.widenedLobes) / pixels},
             {"errorSameSamples", m.errorSameSamples},
             {"errorReference", m.errorReference},

@@ -13,7 +13,8 @@ import harness
 
 ROW = ["technique", "n", "c", "shadingCost", "preset", "tiers", "frameMs", "passes", "stageMs", "geometryPasses",
        "bytesPerPixel", "peakBytesPerPixel", "eventsPerPixel", "eventsPerCoveredPixel",
-       "shadowTapsPerPixel", "aggregatesPerPixel", "primitivesPerPixel", "materialsPerPixel", "widenedLobesPerPixel",
+       "shadowTapsPerPixel", "lightEvaluationsPerPixel", "aggregatesPerPixel", "primitivesPerPixel", "materialsPerPixel",
+       "fragmentsPerPixel", "lostFragments", "widenedLobesPerPixel",
        "errorSameSamples", "errorReference", "temporal", "path", "image", "difference", "heat"]
 
 
