@@ -110,8 +110,11 @@ def measured_settings(measured, size):
             for row, found in measured.items()]
 
 
-def write_measured(path, measured, size):
-    write_json(path, {"measured": measured_settings(measured, size)})
+def write_measured(path, measured, size, has_times=True):
+    settings = measured_settings(measured, size)
+    if not has_times:
+        settings = [{key: value for key, value in one.items() if not key.endswith("Ms")} for one in settings]
+    write_json(path, {"measured": settings})
 
 
 def main():
@@ -120,12 +123,14 @@ def main():
     parser.add_argument("--camera", default="", help="ex,ey,ez,tx,ty,tz,fovDegrees; the scene's own by default")
     parser.add_argument("--spp", default=256, type=int, help="samples per pixel of the reference")
     parser.add_argument("--row", action="append", help="only this row, such as agaa-8-fast-gbuffer, and single; repeatable")
+    parser.add_argument("--without-times", action="store_true", help="write errors alone, for `choose --predict-others`")
     arguments = parser.parse_args()
     settings = {name: getattr(arguments, name) for name in ("scene", "camera", "size", "spp")}
     runs = Runs("calibrate", arguments.harness, arguments.out, settings)
     view = view_options(arguments.scene, arguments.camera, arguments.size)
     path = arguments.out / "measured.json"
-    write_measured(path, Frame(runs, "frame", view, arguments.spp).measure_all(wanted_rows(arguments.row), arguments.turns), arguments.size)
+    measured = Frame(runs, "frame", view, arguments.spp).measure_all(wanted_rows(arguments.row), arguments.turns)
+    write_measured(path, measured, arguments.size, not arguments.without_times)
     print(path)
 
 

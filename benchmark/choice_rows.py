@@ -4,11 +4,11 @@ import dataclasses
 # The stages of passes that draw the scene; all other stages shade.
 GEOMETRY = ("prepass", "definition", "generation")
 
-# Hosts do not use it: it follows the paper for comparison, and needs an AgaaMeasurement.
-LEFT_OUT = {"paper"}
-# These need structs that hosts chain to AgaaConfig: the capacity of fragment lists, or a pattern of samples.
-TECHNIQUES_LEFT_OUT = {"dcaa", "adaptive"}
-TIERS_LEFT_OUT = {"fragments"}
+# These need structs that hosts chain to AgaaConfig.
+PRESETS_LEFT_OUT = {"paper", "lean", "exact", "device"}
+# A still image does not show its errors in motion, and it needs motion vectors.
+TECHNIQUES_LEFT_OUT = {"taa"}
+TIERS_LEFT_OUT = {"material-lists"}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -35,7 +35,7 @@ def scenes(results):
 
 
 def is_for_hosts(row):
-    return (row["preset"] not in LEFT_OUT and row["technique"] not in TECHNIQUES_LEFT_OUT
+    return (row["preset"] not in PRESETS_LEFT_OUT and row["technique"] not in TECHNIQUES_LEFT_OUT
             and row["tiers"].get("generation") not in TIERS_LEFT_OUT)
 
 

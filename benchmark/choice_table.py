@@ -16,7 +16,6 @@ from runs import ROOT
 
 RESULTS = ROOT / "docs/results/lavapipe/sweep/results.json"
 TAPS = ROOT / "docs/results/lavapipe/shadow_taps.json"
-TIERS = {"": "AUTO", "post-depth-atomics": "POST_DEPTH_ATOMICS", "gbuffer": "GBUFFER", "ids": "IDS"}
 
 
 class Frame:
@@ -204,8 +203,9 @@ AGAA_CHOICE_COMMON({numbers([model.shading["light"], model.shading["tap"], model
         found = [*model.geometry[row], model.shading[row.name, "pixel"], model.shading[row.name, "event"], model.lights[row],
                  *model.events[row], *model.taps[row]]
         shares = [errors[row, name] / own for name, own in zip(names, single, strict=True)]
+        tier = row.tier.upper().replace("-", "_") or "AUTO"
         text.append(f"// {percent(model.fit_error(row))}, {percent(model.transfer_error(row))}")
-        text.append(f'AGAA_CHOICE_ROW("{row.technique}", {row.samples}, {row.aggregates}, "{row.preset}", {TIERS[row.tier]},\n'
+        text.append(f'AGAA_CHOICE_ROW("{row.technique}", {row.samples}, {row.aggregates}, "{row.preset}", {tier},\n'
                     f"                {numbers(found)},\n                {numbers(shares)})")
     text += [f"#undef AGAA_CHOICE_{name}" for name in ("SCENES", "COMMON", "ROW")]
     return "\n".join(text) + "\n"

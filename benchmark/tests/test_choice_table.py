@@ -27,9 +27,10 @@ class Rows(unittest.TestCase):
         def row(technique, preset="", tier=None):
             return {"technique": technique, "preset": preset, "tiers": {"generation": tier} if tier else {}}
 
-        for kept in (row("ssaa"), row("agaa", "accurate", "gbuffer"), row("agaa", tier="ids")):
+        for kept in (row("ssaa"), row("agaa", "accurate", "gbuffer"), row("agaa", tier="ids"), row("dcaa", tier="fragment-lists"),
+                     row("adaptive"), row("agaa", "accurate", "fragments")):
             self.assertTrue(choice_rows.is_for_hosts(kept), kept)
-        for left in (row("dcaa"), row("dcaa", "lean"), row("adaptive", "device"), row("agaa", "accurate", "fragments"),
+        for left in (row("taa"), row("dcaa", "lean"), row("adaptive", "device"), row("dcaa", tier="material-lists"),
                      row("agaa", "paper")):
             self.assertFalse(choice_rows.is_for_hosts(left), left)
 

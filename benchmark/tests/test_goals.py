@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Tests of benchmark/calibrate.py and goals.py: the results that they derive from measurements."""
+import json
 import pathlib
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
@@ -27,6 +29,14 @@ class Calibration(unittest.TestCase):
         fast = calibrate.measured_settings(MEASURED, "20x10")[2]
         self.assertEqual(fast, {"technique": "agaa", "preset": "fast", "samples": 8, "aggregates": 1, "tier": "gbuffer",
                                 "pixels": 200, "errorShare": 0.2, "error": 0.002, "geometryMs": 2.0, "shadingMs": 3.0})
+
+    def test_errors_without_times(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "measured.json"
+            calibrate.write_measured(path, MEASURED, "20x10", has_times=False)
+            self.assertEqual(json.loads(path.read_text())["measured"][1],
+                             {"technique": "ssaa", "preset": None, "samples": 8, "aggregates": 0, "tier": None, "pixels": 200,
+                              "errorShare": 0.1, "error": 0.001})
 
     def test_times_are_those_of_stages(self):
         stages = [("prepass", 1), ("definition", 2), ("generation", 4), ("shading", 8), ("other", 16)]

@@ -23,6 +23,9 @@ typedef enum AgaaPreference {
 #define AGAA_GOAL_ONE_GEOMETRY_PASS                                                                                    \
     UINT64_C(0x01) /* leave out settings that draw the scene more than once in a                                       \
                       frame */
+#define AGAA_GOAL_PREDICT_OTHERS                                                                                       \
+    UINT64_C(0x02) /* choose also among settings that are not in AgaaGoal::measured, by errors predicted from those    \
+                      that are; no effect without measured settings */
 
 /* Measurements of settings in the host's own scene. The errors come from three frames with one camera: one with
  * these settings, one with "single" and one with full sampling. */
@@ -57,7 +60,12 @@ AGAA_API void AGAA_CALL agaaInitMeasuredSettings(AgaaMeasuredSettings* outMeasur
  * If `measured` is set, the choice is made among its settings, with the measured errors; sceneShare is not used. If
  * the settings have times, the predicted times are the measured ones, scaled by the times that were observed later
  * and to other numbers of pixels: shading in proportion, geometry by the observed sizes or, if there is one size, by
- * the root of the ratio. Either all measured settings have times, or none has. */
+ * the root of the ratio. Either all measured settings have times, or none has.
+ *
+ * With AGAA_GOAL_PREDICT_OTHERS, the choice is made among all settings of the table, and the errors that are not
+ * measured are predicted: over the ten scenes, the logarithms of errors vary together as in a joint normal
+ * distribution, whose condition are the measured ones. A predicted error is not exceeded with the probability
+ * sceneShare. A host that measures each choice, adds it to `measured` and chooses anew settles after few frames. */
 typedef struct AgaaGoal {
     uint32_t sType;
     uint32_t structSize;
@@ -65,7 +73,7 @@ typedef struct AgaaGoal {
     float maxErrorShare;   /* error divided by the error of "single" in the same scene, [0, 1]; 0: no limit */
     float maxError;        /* error, [0, inf); 0: no limit */
     float sceneShare;      /* the error limits hold in this share of the ten scenes, [0, 1]. 0.5: the median, 1: the
-                              worst */
+                              worst. With AGAA_GOAL_PREDICT_OTHERS, the probability that a predicted limit holds */
     float maxMilliseconds; /* time of geometry passes and passes of the library, [0, inf); 0: no limit */
     uint64_t maxBytes;     /* AgaaMemoryReport::totalBytes; 0: no limit */
     uint32_t prefer;       /* AgaaPreference */
@@ -163,7 +171,9 @@ typedef struct AgaaChoice {
     uint32_t leftOut;        /* number of settings of the table, or of AgaaGoal::measured, that the device, the view
                                 or the goal's flags do not allow */
     float errorShare;        /* predicted error divided by the error of "single", in AgaaGoal::sceneShare of the
-                                scenes. With AgaaGoal::measured, this member and the next two are the measured error */
+                                scenes. With AgaaGoal::measured, this member and the next two are the measured error.
+                                Predicted with AGAA_GOAL_PREDICT_OTHERS, they are not exceeded with the probabilities
+                                AgaaGoal::sceneShare, 0.5 and 0.98 */
     float errorShareMedian;  /* predicted error share in half of the scenes */
     float errorShareWorst;   /* predicted error share in all scenes */
     float error;             /* predicted error, in AgaaGoal::sceneShare of the scenes; or the measured one */
@@ -213,7 +223,8 @@ AGAA_API void AGAA_CALL agaaInitChoice(AgaaChoice* outChoice, size_t structSize)
  * Errors        AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, functions of the host exclude each other, their
  *                                             glslExtensions are not valid, or current has settings that are not in
  *                                             the table; measured settings are not in the table, occur twice, have
- *                                             times without pixels, or lack an error or times that they need
+ *                                             times without pixels, lack an error or times that they need, or
+ *                                             have times with AGAA_GOAL_PREDICT_OTHERS
  *               AGAA_ERROR_STRUCT             a struct is not initialised, or measured settings differ in structSize
  *               AGAA_ERROR_OUT_OF_RANGE       a number is not finite or out of its range, a flag is unknown, or a
  *                                             reserved member is not 0

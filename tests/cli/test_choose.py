@@ -76,6 +76,22 @@ class FromMeasurements(unittest.TestCase):
                 self.assertAlmostEqual(choice["milliseconds"], 3 * row["geometryMs"], places=4)
                 self.assertEqual(choice["missedLimits"], ["max-error"] if row["errorShare"] > limit else [])
 
+    def test_others_are_predicted(self):
+        """In a scene where ssaa leaves little, other settings are predicted to leave little as well."""
+        errors = []
+        for share in (0.3, 0.05):
+            row = measured("ssaa", 8, share, 0)
+            choice = self.choose([row], "--predict-others", "--prefer", "error")
+            self.assertNotEqual((choice["technique"], choice["samples"]), ("ssaa", 8))
+            self.assertIn("Predicted by 1 measured settings", choice["reason"])
+            self.assertLess(choice["errorShareMedian"], choice["errorShare"])
+            errors.append(choice["errorShare"])
+        self.assertLess(errors[1], errors[0])
+        self.assertIn("--predict-others needs --measured", harness.run("choose", "--predict-others").stderr)
+        timed = measured("ssaa", 8, 0.3, 1)
+        with self.assertRaisesRegex(Exception, "times come from observations"):
+            self.choose([timed], "--predict-others")
+
     def test_presets_and_tiers(self):
         row = {**measured("agaa", 8, 0.1, 1), "preset": "fast", "aggregates": 1, "tier": "gbuffer"}
         choice = self.choose([row])

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -410,6 +411,47 @@ TEST(GoalSizes, ExtremeObservationsKeepTheMemoryValid) {
     }
 }
 
+// ---- predicted others ----------------------------------------------------------------------------
+
+// A host in a scene of the table measures each choice, and chooses anew with what it measured.
+TEST(PredictedOthers, MeasuringTheChoicesReachesTheTarget) {
+    for (size_t scene = 0; scene < tableScenes; ++scene)
+        for (const float target : {0.25f, 0.1f, 0.05f}) {
+            const bool isPossible = std::any_of(choiceRows().begin(), choiceRows().end(),
+                                                [&](const ChoiceRow& row) { return row.errorShares[scene] <= target; });
+            MeasuringHost host;
+            host.goal.flags = AGAA_GOAL_PREDICT_OTHERS;
+            host.goal.maxErrorShare = target;
+            host.goal.sceneShare = 0.5f;
+            std::set<const ChoiceRow*> measured;
+            const ChoiceRow* chosen = rowOf(host.freshMeasured());
+            while (measured.insert(chosen).second) {
+                host.measured.push_back(measuredOf(*chosen, chosen->errorShares[scene]));
+                chosen = rowOf(host.freshMeasured());
+            }
+            EXPECT_LE(measured.size(), 8u) << scene << ' ' << target;
+            if (isPossible) {
+                EXPECT_LE(chosen->errorShares[scene], target) << scene << ' ' << target << ' ' << host.choice.reason;
+            }
+        }
+}
+
+TEST(PredictedOthers, ErrorsScaleWithThatOfSingle) {
+    MeasuringHost host;
+    host.goal.flags = AGAA_GOAL_PREDICT_OTHERS;
+    host.goal.prefer = AGAA_PREFER_ERROR;
+    host.measured = {measuredOf(rowNamed("ssaa", 8), 0.2f)}; // its error is a hundredth of the share
+    host.freshMeasured();
+    EXPECT_FALSE(isOf(host.choice, rowNamed("ssaa", 8)));
+    EXPECT_NEAR(host.choice.error / host.choice.errorShare, 0.01f, 1e-6f);
+    EXPECT_LT(host.choice.errorShareMedian, host.choice.errorShare);
+    EXPECT_LT(host.choice.errorShare, host.choice.errorShareWorst);
+    EXPECT_NE(std::string(host.choice.reason).find("Predicted by 1 measured settings: error"), std::string::npos)
+        << host.choice.reason;
+    host.goal.sceneShare = 0.5f;
+    EXPECT_EQ(host.freshMeasured().errorShare, host.choice.errorShareMedian);
+}
+
 // ---- wrong input ---------------------------------------------------------------------------------
 
 TEST(MeasuredGoals, BadInputLeavesTheOutput) {
@@ -445,6 +487,9 @@ TEST(MeasuredGoals, BadInputLeavesTheOutput) {
             [](AgaaMeasuredSettings& m) { m.geometryMilliseconds = m.shadingMilliseconds = 0; });
     refused(invalid, "pixels are 0", [](AgaaMeasuredSettings& m) { m.pixels = 0; });
     refused(invalid, "errorShare is 0", [](AgaaMeasuredSettings& m) { m.errorShare = 0; });
+    host.goal.flags = AGAA_GOAL_PREDICT_OTHERS;
+    refused(invalid, "times come from observations", [](AgaaMeasuredSettings&) {});
+    host.goal.flags = 0;
     refused(AGAA_ERROR_STRUCT, "AgaaMeasuredSettings has sType", [](AgaaMeasuredSettings& m) { m.sType = 0; });
     host.goal.maxError = 0.1f;
     refused(invalid, "maxError is a limit", [](AgaaMeasuredSettings& m) { m.error = 0; });

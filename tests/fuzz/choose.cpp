@@ -49,7 +49,7 @@ AgaaGoal* anyGoal(Choices& choices, Memory& memory) {
         goal.maxBytes = choices.oneIn(4) ? choices.bits() : choices.below(UINT64_C(1) << 32);
     goal.sceneShare = anyNumber(choices, 1);
     goal.prefer = uint32_t(choices.below(choices.oneIn(50) ? 4 : 2));
-    goal.flags = choices.oneIn(50) ? choices.bits() : choices.below(2);
+    goal.flags = choices.oneIn(50) ? choices.bits() : choices.below(4);
     if (choices.oneIn(4)) {
         const bool isTimed = choices.oneIn(2);
         std::vector<AgaaMeasuredSettings> list(1 + choices.below(4));

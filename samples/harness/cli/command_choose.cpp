@@ -25,6 +25,8 @@ AgaaGoal goalOf(const ChooseArguments& arguments) {
         throw BadArgument("--prefer is \"" + arguments.prefer + "\"; it can be time or error.");
     goal.prefer = arguments.prefer == "time" ? AGAA_PREFER_TIME : AGAA_PREFER_ERROR;
     goal.flags = arguments.oneGeometryPass ? AGAA_GOAL_ONE_GEOMETRY_PASS : 0;
+    if (arguments.predictOthers)
+        goal.flags |= AGAA_GOAL_PREDICT_OTHERS;
     return goal;
 }
 
@@ -114,6 +116,8 @@ void runChoose(const RenderArguments& arguments, const ChooseArguments& chosen, 
         goal.measured = measured->settings().data();
         goal.measuredCount = uint32_t(measured->settings().size());
     }
+    if (chosen.predictOthers && chosen.measured.empty())
+        throw BadArgument("--predict-others needs --measured: it predicts from measured errors.");
     if (chosen.observe && !sceneGiven)
         throw BadArgument("--observe needs a --scene.");
     RenderArguments rendered = arguments;

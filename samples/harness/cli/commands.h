@@ -56,6 +56,7 @@ struct ChooseArguments {
     uint64_t maxBytes = 0;
     std::string prefer = "time";
     bool oneGeometryPass = false;
+    bool predictOthers = false;
     bool noFetch = false;
     bool observe = false;
     std::string measured; // a file, or empty

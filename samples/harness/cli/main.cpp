@@ -65,6 +65,8 @@ void addGoalOptions(CLI::App& app, ChooseArguments& a) {
     app.add_flag("--no-fetch", a.noFetch, "without an AgaaFetchFunction");
     app.add_option("--measured", a.measured,
                    "JSON file of benchmark/calibrate.py: choose among its settings, by its errors and times");
+    app.add_flag("--predict-others", a.predictOthers,
+                 "choose among all settings of the table, with errors predicted from those of --measured");
     app.add_flag("--observe", a.observe, "render frames of --technique, or of single, and choose by what they show");
 }
 

@@ -51,9 +51,11 @@ std::string whyText(const AgaaChoice& choice, const AgaaGoal& goal, size_t satis
 }
 
 std::string errorsText(const AgaaChoice& choice, const Predictions& predictions) {
-    if (predictions.areMeasured())
+    if (predictions.isMeasured(rowOf(choice)))
         return format("Measured: error %.3g of single's. Predicted: ", choice.errorShare);
-    return format("Predicted: error %.3g of single's (median %.3g, worst %.3g), ", choice.errorShare,
+    const size_t count = predictions.measuredCount();
+    const std::string by = count > 0 ? format(" by %zu measured settings", count) : "";
+    return format("Predicted%s: error %.3g of single's (median %.3g, worst %.3g), ", by.c_str(), choice.errorShare,
                   choice.errorShareMedian, choice.errorShareWorst);
 }
 

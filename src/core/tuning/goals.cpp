@@ -27,7 +27,7 @@ void checkGoal(const AgaaGoal& goal) {
     checkRange(uint64_t(goal.prefer), 0, AGAA_PREFER_ERROR, "AgaaGoal::prefer");
     checkReserved(goal.reserved, "AgaaGoal::reserved");
     checkReserved(goal.reservedMeasured, "AgaaGoal::reservedMeasured");
-    checkFlags(goal.flags, AGAA_GOAL_ONE_GEOMETRY_PASS, "AgaaGoal::flags");
+    checkFlags(goal.flags, AGAA_GOAL_ONE_GEOMETRY_PASS | AGAA_GOAL_PREDICT_OTHERS, "AgaaGoal::flags");
 }
 
 uint64_t plannedBytes(const TunedView& view, const ChoiceRow& row, const AgaaGoal& goal) {

@@ -3,6 +3,7 @@
 #include "core/base/arguments.h"
 #include "core/base/error.h"
 #include "core/base/structs.h"
+#include "core/tuning/error_model.h"
 
 #include <algorithm>
 #include <bit>
@@ -34,19 +35,60 @@ void checkErrors(const AgaaMeasuredSettings& m, const AgaaGoal& goal, const std:
 
 } // namespace
 
-Predictions::Predictions(const AgaaGoal& goal) : areMeasured_(goal.measuredCount > 0) {
-    require(!areMeasured_ || goal.measured, AGAA_ERROR_INVALID_ARGUMENT, "AgaaGoal::measured is null.");
+Predictions::Predictions(const AgaaGoal& goal) {
+    require(!goal.measuredCount || goal.measured, AGAA_ERROR_INVALID_ARGUMENT, "AgaaGoal::measured is null.");
     for (uint32_t i = 0; i < goal.measuredCount; ++i) {
         requireEqualSizes(elementOf(goal.measured, i), goal.measured);
         addMeasured(readStruct(elementOf(goal.measured, i)), goal);
     }
+    measuredCount_ = list_.size();
     if (hasMeasuredTimes())
         numberTimes();
-    if (areMeasured_)
-        return;
+    if (measuredCount_ == 0)
+        addTable(goal);
+    else if (goal.flags & AGAA_GOAL_PREDICT_OTHERS)
+        addOthers(goal);
+}
+
+void Predictions::addTable(const AgaaGoal& goal) {
     for (const ChoiceRow& row : choiceRows())
         list_.push_back({&row, errorShareIn(row, goal.sceneShare), errorShareIn(row, 0.5f), errorShareIn(row, 1.0f),
-                         errorIn(row, goal.sceneShare)});
+                         errorIn(row, goal.sceneShare), false});
+}
+
+void Predictions::addOthers(const AgaaGoal& goal) {
+    constexpr double nearlyCertain = 0.98;
+    std::vector<MeasuredShare> measured;
+    for (const Prediction& p : list_)
+        measured.push_back({p.row, p.errorShare});
+    const ErrorModel model(measured);
+    const float singleError = meanSingleError();
+    for (const ChoiceRow& row : choiceRows()) {
+        if (contains(row))
+            continue;
+        const float share = model.errorShare(row, double(goal.sceneShare));
+        list_.push_back({&row, share, model.errorShare(row, 0.5), model.errorShare(row, nearlyCertain),
+                         share * singleError, false});
+    }
+}
+
+bool Predictions::isMeasured(const ChoiceRow* row) const {
+    return std::any_of(list_.begin(), list_.end(), [&](const Prediction& p) { return p.row == row && p.isMeasured; });
+}
+
+// The measured errors of "single", which all settings of a scene share, or 0 if there is none.
+float Predictions::meanSingleError() const {
+    double sum = 0, count = 0;
+    for (const Prediction& p : list_)
+        if (p.error > 0) {
+            sum += double(p.error) / double(p.errorShare);
+            ++count;
+        }
+    return count > 0 ? float(std::min(sum / count, 1e9)) : 0;
+}
+
+bool Predictions::contains(const ChoiceRow& row) const {
+    return std::any_of(list_.begin(), list_.end(), [&](const Prediction& other) { return other.row == &row; });
 }
 
 void Predictions::addMeasured(const AgaaMeasuredSettings& m, const AgaaGoal& goal) {
@@ -56,13 +98,15 @@ void Predictions::addMeasured(const AgaaMeasuredSettings& m, const AgaaGoal& goa
     const ChoiceRow* row = rowOf(m);
     if (!row)
         refuse(name + " has settings that are not in the table of choices.");
-    if (std::any_of(list_.begin(), list_.end(), [&](const Prediction& other) { return other.row == row; }))
+    if (contains(*row))
         refuse(name + " has the settings of an element before it.");
     if (!list_.empty() && isTimed(m) != hasMeasuredTimes())
         refuse("AgaaGoal::measured has times of some settings and not of others.");
-    list_.push_back({row, m.errorShare, m.errorShare, m.errorShare, m.error});
+    list_.push_back({row, m.errorShare, m.errorShare, m.errorShare, m.error, true});
     if (!isTimed(m))
         return;
+    if (goal.flags & AGAA_GOAL_PREDICT_OTHERS)
+        refuse(name + " has times, and with AGAA_GOAL_PREDICT_OTHERS times come from observations.");
     if (m.pixels == 0)
         refuse(name + " has times, and its pixels are 0.");
     measuredTimes_.push_back({m.geometryMilliseconds / double(m.pixels), m.shadingMilliseconds / double(m.pixels)});

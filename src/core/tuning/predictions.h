@@ -1,5 +1,5 @@
-// Predicted errors and times of settings: from the table of ten scenes, or from measurements of the host in its own
-// scenes.
+// Predicted errors and times of settings: from the table of ten scenes, from measurements of the host in its own
+// scenes, or from both.
 #pragma once
 
 #include "core/tuning/cost_model.h"
@@ -14,6 +14,7 @@ struct Prediction {
     float errorShare, errorShareMedian,
         errorShareWorst; // relative to "single": for AgaaGoal::sceneShare, half and all of the scenes
     float error;         // for AgaaGoal::sceneShare of the scenes
+    bool isMeasured;
 };
 
 class Predictions {
@@ -22,7 +23,8 @@ public:
     explicit Predictions(const AgaaGoal& goal);
 
     const std::vector<Prediction>& list() const { return list_; }
-    bool areMeasured() const { return areMeasured_; }
+    size_t measuredCount() const { return measuredCount_; } // they come first in the list
+    bool isMeasured(const ChoiceRow* row) const;
     bool hasMeasuredTimes() const { return !measuredTimes_.empty(); }
     // Returns the times of a frame in proportion to its pixels, or nothing if other rows have measured times and this
     // one has none.
@@ -34,10 +36,14 @@ public:
 
 private:
     void addMeasured(const AgaaMeasuredSettings& measured, const AgaaGoal& goal);
+    void addTable(const AgaaGoal& goal);
+    void addOthers(const AgaaGoal& goal);
+    bool contains(const ChoiceRow& row) const;
+    float meanSingleError() const;
     void numberTimes();
 
     std::vector<Prediction> list_;
-    bool areMeasured_;
+    size_t measuredCount_ = 0;
     std::vector<FrameTimes> measuredTimes_; // per pixel, in the order of the list
     std::vector<double> measuredPixels_;    // likewise
     float timesNumber_ = 0;

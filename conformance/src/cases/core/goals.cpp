@@ -209,6 +209,8 @@ const WrongMeasured wrongMeasured[] = {
          goal.maxError = 1;
          m[1].error = 0;
      }},
+    {"AGAA_GOAL_PREDICT_OTHERS and measured times", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal& goal, AgaaMeasuredSettings*) { goal.flags = AGAA_GOAL_PREDICT_OTHERS; }},
     {"AgaaMeasuredSettings::sType = 0", AGAA_ERROR_STRUCT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].sType = 0; }},
     {"measured settings of other structSizes", AGAA_ERROR_STRUCT,
      [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].structSize += 8; }},
@@ -260,6 +262,26 @@ void testMeasured(Test& test) {
     }
     parts.goal.measuredCount = 0;
     test.requireOk(parts.choose(test, nullptr), "agaaChooseSettings with AgaaGoal::measured and measuredCount = 0");
+}
+
+// Settings that are not measured are chosen, too, and their errors follow the measured ones.
+void testPredictedOthers(Test& test) {
+    float last = 0;
+    for (const float measured : {0.01f, 0.3f}) {
+        GoalParts parts(test.sdk);
+        parts.useMeasured();
+        parts.goal.flags = AGAA_GOAL_PREDICT_OTHERS;
+        parts.goal.prefer = AGAA_PREFER_ERROR;
+        parts.measured[1].errorShare = measured;
+        for (AgaaMeasuredSettings& settings : parts.measured)
+            settings.geometryMilliseconds = settings.shadingMilliseconds = 0;
+        test.sdk.agaaInitChoice(&parts.current, sizeof parts.current);
+        test.requireOk(parts.choose(test, nullptr), "agaaChooseSettings with AGAA_GOAL_PREDICT_OTHERS");
+        test.check(parts.choice.samples > 8, "AGAA_GOAL_PREDICT_OTHERS chooses among the measured settings only.");
+        test.check(parts.choice.errorShare > last,
+                   "AGAA_GOAL_PREDICT_OTHERS: the predicted error does not grow with the measured one.");
+        last = parts.choice.errorShare;
+    }
 }
 
 void testChooseInvalid(Test& test) {
@@ -350,6 +372,7 @@ void addGoalCases(Suite& suite) {
     for (const char* parameter : {"caps", "log", "observation", "current"})
         suite.core(std::string("agaaChooseSettings/") + parameter + ".null", testChooseNulls);
     suite.core("agaaChooseSettings/measured", testMeasured);
+    suite.core("agaaChooseSettings/predicted-others", testPredictedOthers);
     suite.core("agaaChooseSettings/outChoice.unchanged", [](Test& test) { testWrongGoals(test, AGAA_OK); });
     suite.core("agaaChooseSettings/AGAA_ERROR_INVALID_ARGUMENT", testChooseInvalid);
     for (const auto& [name, error] : {std::pair<const char*, AgaaResult>{"STRUCT", AGAA_ERROR_STRUCT},

@@ -77,7 +77,7 @@ void addGoal(Suite& suite) {
     add(suite, {"AgaaGoal.flags/flags",
                 "AgaaGoal::flags",
                 [](GoalParts& p, double x) { p.goal.flags = uint64_t(x); },
-                {0, double(AGAA_GOAL_ONE_GEOMETRY_PASS)},
+                {0, double(AGAA_GOAL_ONE_GEOMETRY_PASS), double(AGAA_GOAL_PREDICT_OTHERS)},
                 {double(UINT64_C(1) << 62), double(UINT64_C(1) << 63)}});
 }
 
