@@ -75,6 +75,24 @@ def rank(row):
     return position + (0 if c in (0, 2, None) else 100)
 
 
+def number(row, key, member):
+    found = row.get(key)
+    found = found.get(member) if isinstance(found, dict) else None
+    return found if isinstance(found, (int, float)) else None
+
+
+def front(rows):
+    """The rows that have less error than all faster ones: the page shows them first."""
+    timed = [(number(row, "frameMs", "median"), number(row, "errorReference", "mseTm"), i) for i, row in enumerate(rows)
+             if row.get("shadingCost", 1) == 1]
+    found, least = [], None
+    for _, error, i in sorted(entry for entry in timed if None not in entry):
+        if least is None or error < least:
+            found.append(rows[i])
+            least = error
+    return found
+
+
 def dicts(value):
     return [item for item in value if isinstance(item, dict)] if isinstance(value, list) else []
 
@@ -83,7 +101,8 @@ def wanted(results):
     """Position, holder, key and the scene's prefix of file names, for each image that the page may show, in order.
 
     The images that a reader compares first come first, scene by scene, for the first backend and then for the others,
-    whose images are alike. The other images follow over all scenes.
+    whose images are alike: the reference, single and the rows of the Pareto front. The other images follow over all
+    scenes.
     """
     found = []
     for which, backend in enumerate(dicts(results.get("backends"))):
@@ -93,9 +112,12 @@ def wanted(results):
             pair = (-1, which, index)
             prefix = f"{backend.get('backend')}-{scene.get('name')}-"
             found.append((pair, scene, "referenceImage", prefix))
-            for row in dicts(scene.get("rows")):
+            rows = dicts(scene.get("rows"))
+            best = front(rows)
+            for row in rows:
                 in_pair = rank(row) <= PAIR
-                found.append((pair if in_pair else (rank(row), which, index), row, "image", prefix))
+                is_first = in_pair or row.get("technique") == "single" or any(row is one for one in best)
+                found.append((pair if is_first else (rank(row), which, index), row, "image", prefix))
                 found.append((pair if in_pair else (rank(row) + 5, which, index), row, "heat", prefix))
                 # The page subtracts any two images itself. It needs the written difference only without a reference.
                 if scene.get("referenceImage"):

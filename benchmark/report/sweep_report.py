@@ -7,6 +7,7 @@ docs/sweep.md describes RESULTS.json; its images are read relative to it.
 """
 
 import argparse
+import base64
 import json
 import math
 import sys
@@ -15,13 +16,17 @@ from pathlib import Path
 from sweep_images import take_images
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+
+from motion import ROWS
+
 CHART_JS = ["/usr/share/javascript/chart.js/chart.min.js",
             "/usr/share/nodejs/chart.js/dist/chart.min.js",
             "/usr/share/nodejs/chart.js/dist/chart.umd.js"]
 SLIDER = HERE / "vendor" / "img-comparison-slider-8.0.7.min.js"
 # Later files use names of earlier ones, so that the order matters.
 SCRIPTS = ["data.js", "maths.js", "dom.js", "charts.js", "pareto.js", "bars.js", "tables.js",
-           "papers.js", "onepass.js", "claims.js", "compare.js", "main.js"]
+           "papers.js", "onepass.js", "claims.js", "best.js", "compare.js", "motion.js", "main.js"]
 
 
 def find_chart_js(chosen):
@@ -55,17 +60,37 @@ def library(source):
                      if not line.startswith("//# sourceMappingURL"))
 
 
-def page(results, folder, chart_js, most_bytes, names=()):
+def read_motions(folder):
+    """The results of benchmark/motion.py in a folder, with names of rows, and animated images as base64 texts or None."""
+    if folder is None:
+        return {"views": []}
+    motions = finite(json.loads((folder / "motion.json").read_text(encoding="utf-8")))
+    for view in motions["views"]:
+        for name, row in zip(ROWS, view["rows"], strict=True):
+            row["name"] = name
+            row.pop("errors", None)
+        path = folder / f"{view['backend']}-{view['name']}-{view['motion']}.webp"
+        view["image"] = base64.b64encode(path.read_bytes()).decode("ascii") if path.is_file() else None
+    return motions
+
+
+def page(results, folder, chart_js, most_bytes, names=(), motions=None):
     def read(name):
         return (HERE / name).read_text(encoding="utf-8")
 
     results = finite(results)
     images, left_out = take_images(results, folder, most_bytes, names)
     results["imagesLeftOut"] = left_out
+    motions = motions or {"views": []}
+    for view in motions["views"]:
+        if view["image"]:
+            images.append(view["image"])
+            view["image"] = len(images) - 1
     slider = f"/*!\n{read('vendor/img-comparison-slider.LICENSE')}*/\n" + SLIDER.read_text("utf-8")
     parts = {
         "STYLE": read("vendor/img-comparison-slider-8.0.7.css") + read("sweep/sweep.css"),
         "RESULTS": as_script(results),
+        "MOTIONS": as_script(motions),
         "PAPERS": as_script(json.loads(read("sweep/papers.json"))),
         "IMAGES": "\n".join(f'<script type="text/plain" id="image-{i}">{text}</script>'
                             for i, text in enumerate(images)),
@@ -87,6 +112,8 @@ def main(arguments):
                         help="most room for images in the page (default: 48)")
     parser.add_argument("--image", action="append", default=[], metavar="NAME",
                         help="only this image of each scene, such as reference or agaa-8-2; repeatable")
+    parser.add_argument("--motion", type=Path, metavar="FOLDER",
+                        help="results of benchmark/motion.py, and of motion_images.py if they are there")
     options = parser.parse_args(arguments)
     try:
         chart_js = find_chart_js(options.chart_js)
@@ -103,9 +130,14 @@ def main(arguments):
         print(f"Could not read {options.results}: {error}", file=sys.stderr)
         return 1
     try:
+        motions = read_motions(options.motion)
+    except (OSError, KeyError, TypeError, AttributeError, ValueError) as error:
+        print(f"Could not read {options.motion}, which is to be a folder of benchmark/motion.py: {error}", file=sys.stderr)
+        return 1
+    try:
         options.out.parent.mkdir(parents=True, exist_ok=True)
         options.out.write_text(page(results, options.results.parent, chart_js,
-                                    int(options.image_mib * (1 << 20)), options.image), encoding="utf-8")
+                                    int(options.image_mib * (1 << 20)), options.image, motions), encoding="utf-8")
     except OSError as error:
         print(f"Could not write {options.out}: {error}", file=sys.stderr)
         return 1

@@ -1,5 +1,6 @@
 """Synthetic results of a sweep in the format of docs/sweep.md, with small images."""
 
+import base64
 import json
 import math
 import struct
@@ -7,6 +8,10 @@ import subprocess
 import sys
 import zlib
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from motion import ROWS
 
 TOOL = Path(__file__).resolve().parents[2] / "benchmark" / "report" / "sweep_report.py"
 WIDTH, HEIGHT = 96, 54
@@ -158,6 +163,21 @@ def write_results(folder, results):
     path = folder / "results.json"
     path.write_text(json.dumps(results), encoding="utf-8")
     return path
+
+
+def write_motion(folder):
+    """Results of benchmark/motion.py; the first of two motions has an image of one pixel."""
+    def row(i, has_ghosts):
+        return {"error": 0.01 / (1 + i), "flicker": 0.05, "ghosting": 0.02 / (1 + i) if has_ghosts else None, "sharpness": 0.9,
+                "frameMs": 10.0 + i, "bytesPerPixel": 20.0, "errors": [0.01]}
+
+    views = [{"backend": backend, "name": name, "motion": motion, "device": "llvmpipe", "frames": 40, "spp": 32, "referenceMseTm": 1e-5,
+              "rows": [row(i, motion == "walk") for i in range(len(ROWS))]}
+             for backend, name, motion in (("vk", "city", "walk"), ("gl", "metal", "light"))]
+    folder.mkdir(exist_ok=True)
+    (folder / "motion.json").write_text(json.dumps({"size": "320x180", "views": views}))
+    (folder / "vk-city-walk.webp").write_bytes(base64.b64decode("UklGRiQAAABXRUJQVlA4IBgAAAAwAQCdASoBAAEAAwA0JaQAA3AA/vuUAAA="))
+    return folder
 
 
 def run_tool(*arguments):

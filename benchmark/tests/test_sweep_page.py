@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 from browser import Browser, find_chromium
-from sweep_results import make_results, run_tool, write_results
+from sweep_results import make_results, run_tool, write_motion, write_results
 
 KEEP = None
 
@@ -32,7 +32,7 @@ class Shown(unittest.TestCase):
         cls.folder.mkdir(parents=True, exist_ok=True)
         cls.results = make_results(cls.folder)
         cls.page = cls.folder / "report.html"
-        done = run_tool(write_results(cls.folder, cls.results), cls.page)
+        done = run_tool(write_results(cls.folder, cls.results), cls.page, "--motion", write_motion(cls.folder / "motion"))
         if done.returncode:
             raise RuntimeError(done.stderr)
         cls.browser = Browser(find_chromium())
@@ -255,6 +255,8 @@ class Shown(unittest.TestCase):
         self.wait_for_images()
         self.choose("mode", "left − right, 4×")
         self.shown_mode("between")
+        self.choose("right", "agaa n=8 c=2 (scaled-target, post-depth-atomics)")
+        self.browser.wait("document.getElementById('side-right').textContent.includes('agaa n=8 c=2')")
         self.assertGreater(max(self.right_pixels()), 100)
         self.choose("left", "agaa n=8 c=2 (scaled-target, post-depth-atomics)")
         self.browser.wait("document.getElementById('side-left').textContent.includes('agaa n=8 c=2')")
@@ -266,6 +268,40 @@ class Shown(unittest.TestCase):
         self.shown_mode("image")
         disabled = "document.querySelector('#mode option[value=heat]').disabled"
         self.assertTrue(self.browser.run(disabled))
+
+    def test_a_budget_shows_the_least_error_within_it_and_four_numbers(self):
+        self.open()
+        scene = self.results["backends"][0]["scenes"][0]
+        rows = [row for row in scene["rows"] if row["shadingCost"] == 1]
+        single = next(row for row in rows if row["technique"] == "single")
+        for factor in (1.5, 3, 10):
+            self.choose("budget", f"{factor}× the time of single")
+            limit = factor * single["frameMs"]["median"]
+            best = min((row for row in rows if row["frameMs"]["median"] <= limit), key=lambda row: row["errorReference"]["mseTm"])
+            right = self.browser.run("document.getElementById('right').selectedOptions[0].textContent")
+            self.assertTrue(right.startswith(best["technique"]), right)
+            numbers = self.browser.run("[...document.querySelectorAll('#numbers dd')].map((one) => one.firstChild.textContent)")
+            self.assertEqual(len(numbers), 4)
+            self.assertAlmostEqual(float(numbers[0]) / best["errorReference"]["mseTm"], 1, delta=0.01)
+            if best["temporal"]:
+                self.assertAlmostEqual(float(numbers[1]) / best["temporal"]["flicker"], 1, delta=0.01)
+            self.assertAlmostEqual(float(numbers[2].split()[0]) / best["frameMs"]["median"], 1, delta=0.02)
+            self.assertAlmostEqual(float(numbers[3].split()[0]) / best["bytesPerPixel"], 1, delta=0.01)
+        self.choose("right", "ssaa n=8")
+        self.assertEqual(self.browser.run("document.getElementById('budget').value"), "own")
+
+    def test_motions_have_a_picture_and_figures(self):
+        self.open()
+        names = self.browser.run("[...document.getElementById('motion-view').options].map((one) => one.textContent)")
+        self.assertEqual(names, ["city, walk, Vulkan", "metal, light, OpenGL"])
+        rows = self.rows("#motion")
+        self.assertEqual(rows[0], ["view", "error", "flicker, thousandths", "ghosting", "sharpness", "time", "bytes a pixel"])
+        self.assertEqual(rows[1][:4], ["single", "1", "50", "1"])
+        self.assertEqual(rows[2][1], "0.5")
+        self.browser.wait("document.querySelector('img.motion').naturalWidth === 1")
+        self.choose("motion-view", "metal, light, OpenGL")
+        self.assertNotIn("ghosting", self.rows("#motion")[0])
+        self.assertFalse(self.browser.run("Boolean(document.querySelector('img.motion'))"))
 
     def test_claims_are_judged_over_all_scenes(self):
         self.open()

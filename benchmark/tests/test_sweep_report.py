@@ -101,15 +101,17 @@ class Written(unittest.TestCase):
         rows = [row("single", 1, 0), row("ssaa", 8, 0), row("simple_complex", 8, 0), row("agaa", 8, 1),
                 row("agaa", 8, 2), row("agaa", 8, 2, "gbuffer"), row("agaa", 8, 0, "ids", "accurate"),
                 row("agaa", 8, 0, preset="paper")]
+        for row_of, ms, error in ((rows[1], 5.0, 1.0), (rows[3], 6.0, 2.0)):  # the first is on the front
+            row_of.update(frameMs={"median": ms}, errorReference={"mseTm": error})
         results = {"backends": [{"scenes": [{"referenceImage": f"reference-{name}-{scene}", "rows": copy.deepcopy(rows)}
                                             for scene in range(2)]} for name in ("vk", "gl")]}
         names = [holder[key] for _, holder, key, _ in sweep_images.wanted(results)]
-        first = ["simple_complex-8-0-post-depth-atomics", "simple_complex-8-0-post-depth-atomics-events",
+        first = ["single-1-0-post-depth-atomics", "ssaa-8-0-post-depth-atomics", "simple_complex-8-0-post-depth-atomics", "simple_complex-8-0-post-depth-atomics-events",
                  "agaa-8-2-post-depth-atomics", "agaa-8-2-post-depth-atomics-events", "agaa-8-0-idsaccurate",
                  "agaa-8-0-idsaccurate-events"]
         for place, reference in enumerate(("vk-0", "vk-1", "gl-0", "gl-1")):
-            self.assertEqual(names[7 * place:7 * place + 7], ["reference-" + reference] + first)
-        self.assertEqual(names[28:32], 4 * ["ssaa-8-0-post-depth-atomics"])
+            self.assertEqual(names[9 * place:9 * place + 9], ["reference-" + reference] + first)
+        self.assertEqual(names[36:40], 4 * ["ssaa-8-0-post-depth-atomics-events"])
         self.assertEqual(len(names), 4 * (1 + 2 * len(rows)))
 
     def test_images_outside_the_folder_are_not_shown(self):

@@ -27,7 +27,7 @@ function styleOf(technique) {
 }
 
 // All charts have techniques in this order; unknown ones come last.
-const ORDER = ["single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"];
+const ORDER = ["single", "fxaa", "smaa", "taa", "msaa", "visibility", "ssaa", "simple_complex", "adaptive", "sbaa", "agaa", "dcaa"];
 function inOrder(techniques) {
     const place = (name) => ORDER.includes(name) ? ORDER.indexOf(name) : ORDER.length;
     return unique(techniques).sort((a, b) => place(a) - place(b) || a.localeCompare(b));

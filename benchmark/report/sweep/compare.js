@@ -3,7 +3,8 @@
 const compare = {zoom: "fit", work: 0};
 const imageUrl = (id) => {
     const text = byId("image-" + id).textContent;
-    return `data:image/${text.startsWith("/9j/") ? "jpeg" : "png"};base64,` + text; // JPEG begins with FF D8 FF
+    const kind = text.startsWith("/9j/") ? "jpeg" : text.startsWith("UklGR") ? "webp" : "png"; // FF D8 FF, RIFF
+    return `data:image/${kind};base64,` + text;
 };
 
 // Returns the entries of a scene that have an image: {name, image, heat, difference}.
@@ -67,6 +68,7 @@ function resizeCompare() {
 }
 
 async function updateCompare(choices) {
+    showNumbers(choices, choices[Number(byId("right").value)].row);
     const left = choices[Number(byId("left").value)], right = choices[Number(byId("right").value)];
     const reference = choices.find((choice) => choice.reference);
     setOptions(byId("mode"), rightModes(left, right, reference), "image");
@@ -109,6 +111,9 @@ function showCompare(scene) {
     const selects = ["left", "right", "mode"].map((id) => element("select", {id, autocomplete: "off"}));
     setOptions(selects[0], options, first(pick("single"), pick("ssaa", 8), 0));
     setOptions(selects[1], options, first(pick("agaa", 8, 2), pick("agaa"), choices.length - 1));
+    const budget = element("select", {id: "budget", autocomplete: "off"});
+    setOptions(budget, budgetOptions(), "3");
+    budget.value = byId("budget")?.value ?? "3"; // of the scene before
     const zooms = ["fit", "1", "2", "4"].map((zoom) => element("button",
         {type: "button", textContent: zoom === "fit" ? "Fit" : zoom + "×", value: zoom}));
     const pressed = () => zooms.forEach((button) => button.setAttribute("aria-pressed", String(button.value === compare.zoom)));
@@ -126,15 +131,27 @@ function showCompare(scene) {
         element("div", {className: "grip", slot: "handle", textContent: "◂ ▸"}));
     fill("compare",
         element("div", {className: "controls inner"},
-            ...["Left", "Right", "Right shows"].map((words, i) => element("label", {}, words + " ", selects[i])),
+            element("label", {}, "Least error within ", budget), ...["Left", "Right", "Right shows"].map((words, i) => element("label", {}, words + " ", selects[i])),
             element("div", {className: "zoom"}, ...zooms)),
+        element("dl", {className: "numbers", id: "numbers"}),
         element("div", {className: "view"},
             element("div", {className: "sides"}, element("span", {id: "side-left"}), element("span", {id: "side-right"})),
             element("div", {className: "frame"}, slider)),
         element("p", {className: "hint", textContent: "Drag the line, or use the arrow keys on it. Brighter pixels of the map "
             + "of shading events were lit more often." + (results.imagesLeftOut ? ` ${results.imagesLeftOut} images of this sweep `
             + "are not on this page, which takes a part of those beside its results to stay small." : "")}));
+    const applyBudget = () => {
+        const best = budget.value === "own" ? -1 : bestWithin(choices, budget.value);
+        if (best >= 0)
+            selects[1].value = String(best);
+        updateCompare(choices);
+    };
+    budget.addEventListener("change", applyBudget);
     for (const select of selects)
-        select.addEventListener("change", () => updateCompare(choices));
-    updateCompare(choices);
+        select.addEventListener("change", () => {
+            if (select === selects[1])
+                budget.value = "own";
+            updateCompare(choices);
+        });
+    applyBudget();
 }

@@ -88,3 +88,4 @@ byId("stage-n").addEventListener("change", () => showStages(chosen().backend, ch
 darkScheme.addEventListener("change", showCharts);
 window.addEventListener("resize", resizeCompare);
 showBackend();
+startMotion();
