@@ -11,7 +11,7 @@ extern "C" {
 
 /* Bits of AgaaTemporal::flags. */
 /* Each frame is mixed with the previous frame alone, in equal parts, not with the accumulated image. "smaa" with this
- * flag and a jitter of two positions is SMAA T2x (Jimenez et al. 2012), except that areas ignore the jitter. */
+ * flag and a jitter of two positions is SMAA T2x (Jimenez et al. 2012, section 4.5). */
 #define AGAA_TEMPORAL_LAST_FRAME_ONLY UINT64_C(0x01)
 
 /* Controls the accumulation of frames by "taa" and by AGAA_CONFIG_ACCUMULATE. Chain it to AgaaConfig; views that do not

@@ -27,19 +27,33 @@ TEST(EdgeShares, LinesThroughTheEdge) {
     for (int length = 1; length <= 12; ++length)
         for (int before = 0; before < length; ++before) {
             const glm::dvec2 found =
-                math_d::agaa_edgeShares(before, length - 1 - before, agaa_crossesHere, agaa_crossesAcross);
+                math_d::agaa_edgeShares(before, length - 1 - before, agaa_crossesHere, agaa_crossesAcross, 0);
             const glm::dvec2 expected = sampledAreas(-0.5, 0.5, length, before);
             EXPECT_NEAR(found.x, expected.x, 1e-6) << length << ' ' << before;
             EXPECT_NEAR(found.y, expected.y, 1e-6) << length << ' ' << before;
         }
 }
 
+// A line crosses the centres of other rows where the image is moved. The shares are those of the line itself.
+TEST(EdgeShares, FollowTheLineOfAMovedImage) {
+    for (const double moved : {-0.25, 0.25, 0.4})
+        for (int length = 2; length <= 12; ++length)
+            for (int before = 0; before < length; ++before) {
+                const glm::dvec2 found =
+                    math_d::agaa_edgeShares(before, length - 1 - before, agaa_crossesHere, agaa_crossesAcross, moved);
+                const glm::dvec2 expected = sampledAreas(-0.5 + moved, 0.5 + moved, length, before);
+                EXPECT_NEAR(found.x, expected.x, 1e-6) << moved << ' ' << length << ' ' << before;
+                EXPECT_NEAR(found.y, expected.y, 1e-6) << moved << ' ' << length << ' ' << before;
+            }
+    EXPECT_EQ(math_d::agaa_edgeShares(2, 3, 0u, 0u, 0.25), glm::dvec2(0));
+}
+
 TEST(EdgeShares, EndsWithoutACrossingEdgeStayOnTheBoundary) {
     for (int length = 1; length <= 9; ++length) {
         double sum = 0;
         for (int before = 0; before < length; ++before) {
-            EXPECT_EQ(math_d::agaa_edgeShares(before, length - 1 - before, 0u, 0u), glm::dvec2(0));
-            const glm::dvec2 corner = math_d::agaa_edgeShares(before, length - 1 - before, agaa_crossesAcross, 0u);
+            EXPECT_EQ(math_d::agaa_edgeShares(before, length - 1 - before, 0u, 0u, 0), glm::dvec2(0));
+            const glm::dvec2 corner = math_d::agaa_edgeShares(before, length - 1 - before, agaa_crossesAcross, 0u, 0);
             EXPECT_EQ(corner.x, 0);
             sum += corner.y;
         }
@@ -54,13 +68,13 @@ TEST(EdgeShares, AreSymmetric) {
         for (uint32_t last = 0; last < 4; ++last)
             for (int before = 0; before < 7; ++before)
                 for (int after = 0; after < 7; ++after) {
-                    const glm::dvec2 a = math_d::agaa_edgeShares(before, after, first, last);
-                    const glm::dvec2 b = math_d::agaa_edgeShares(after, before, last, first);
+                    const glm::dvec2 a = math_d::agaa_edgeShares(before, after, first, last, 0);
+                    const glm::dvec2 b = math_d::agaa_edgeShares(after, before, last, first, 0);
                     EXPECT_NEAR(a.x, b.x, 1e-12);
                     EXPECT_NEAR(a.y, b.y, 1e-12);
                     EXPECT_LE(std::max(a.x, a.y), 0.5);
                     EXPECT_GE(std::min(a.x, a.y), 0.0);
-                    const auto f = math_f::agaa_edgeShares(float(before), float(after), first, last);
+                    const auto f = math_f::agaa_edgeShares(float(before), float(after), first, last, 0.0f);
                     EXPECT_NEAR(double(f.x), a.x, 1e-7);
                     EXPECT_NEAR(double(f.y), a.y, 1e-7);
                 }

@@ -57,26 +57,30 @@ inline std::vector<Triangle> slopedEdge(float slope, bool isTransposed) {
     return list;
 }
 
+// Root of the mean squared error of coverage over pixels at the edge, away from the border of the image.
+inline double coverageError(const std::vector<float>& rgb, float slope, bool isTransposed) {
+    double sum = 0;
+    int pixels = 0;
+    for (int y = 6; y < 26; ++y)
+        for (int x = 6; x < 42; ++x) {
+            const double truth = sideShare(slope, isTransposed, x, y);
+            const double error = shownShare(rgb[3 * size_t(y * 48 + x)]) - truth;
+            if (truth > 0 && truth < 1) {
+                sum += error * error;
+                ++pixels;
+            } else {
+                EXPECT_LT(std::abs(error), 0.26) << slope << " at " << x << ' ' << y;
+            }
+        }
+    return std::sqrt(sum / pixels);
+}
+
 template <class Host> class FilterCases : public testing::Test {
 protected:
-    // Root of the mean squared error of coverage over pixels at the edge, away from the border of the image.
     double errorOf(const char* technique, float slope, bool isTransposed) {
-        const Shown shown =
-            show(context, filterSettings(technique), {.triangles = slopedEdge(slope, isTransposed), .lights = {}});
-        double sum = 0;
-        int pixels = 0;
-        for (int y = 6; y < 26; ++y)
-            for (int x = 6; x < 42; ++x) {
-                const double truth = sideShare(slope, isTransposed, x, y);
-                const double error = shownShare(shown.rgb[3 * size_t(y * 48 + x)]) - truth;
-                if (truth > 0 && truth < 1) {
-                    sum += error * error;
-                    ++pixels;
-                } else {
-                    EXPECT_LT(std::abs(error), 0.26) << technique << ' ' << slope << " at " << x << ' ' << y;
-                }
-            }
-        return std::sqrt(sum / pixels);
+        return coverageError(
+            show(context, filterSettings(technique), {.triangles = slopedEdge(slope, isTransposed), .lights = {}}).rgb,
+            slope, isTransposed);
     }
     typename Host::Context context;
 };

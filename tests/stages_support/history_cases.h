@@ -2,10 +2,12 @@
 // these.
 #pragma once
 
+#include "filter_cases.h"
 #include "view_bench.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace agaa::test {
 
@@ -209,6 +211,58 @@ TYPED_TEST_P(HistoryCases, JitterIsNoMotion) {
     }
 }
 
+inline std::vector<Triangle> movedEdge(float slope, bool isTransposed, float offset) {
+    std::vector<Triangle> list = slopedEdge(slope, isTransposed);
+    for (Triangle& t : list)
+        for (glm::vec3& corner : t.position)
+            corner += glm::vec3(offset, offset, 0);
+    return list;
+}
+
+// SMAA T2x: the shares of both frames are those of the line that the jitter moved. Their mean is nearer to the line
+// than that of frames that take the moved line for the line.
+TYPED_TEST_P(HistoryCases, SmaaOfTwoFramesKnowsTheirJitter) {
+    ViewSettings settings = filterSettings("smaa");
+    settings.config.flags |= AGAA_CONFIG_ACCUMULATE;
+    settings.config.temporal.flags = AGAA_TEMPORAL_LAST_FRAME_ONLY;
+    settings.config.temporal.clipDeviations = 0;
+    glm::dvec3 sums(0);
+    for (const bool isTransposed : {false, true})
+        for (const float slope : {0.3f, 0.23f, -0.14f, 0.93f, -0.93f}) {
+            AgaaTemporalFrame history = AGAA_TEMPORAL_FRAME_INIT;
+            float offset = 0.25f;
+            const auto frame = [&](AgaaFrame& f) {
+                f.pNext = &history;
+                f.projection[12] += 2 * offset / 48;
+                f.projection[13] += 2 * offset / 32;
+            };
+            const auto first = movedEdge(slope, isTransposed, offset);
+            ViewBench<TypeParam> bench(this->context, settings, {.triangles = first, .lights = {}, .change = frame});
+            std::vector<float> told;
+            for (const float jitter : {0.25f, -0.25f}) {
+                offset = jitter;
+                history = cameraMove(settings);
+                history.jitter[0] = history.jitter[1] = jitter;
+                bench.setTriangles(movedEdge(slope, isTransposed, jitter));
+                told = bench.rgb();
+            }
+            const auto oneFrame = [&](float moved) {
+                return show(this->context, filterSettings("smaa"),
+                            {.triangles = movedEdge(slope, isTransposed, moved), .lights = {}})
+                    .rgb;
+            };
+            const double error = coverageError(told, slope, isTransposed),
+                         ofMean = coverageError(meanOf(oneFrame(0.25f), oneFrame(-0.25f)), slope, isTransposed),
+                         ofOne = coverageError(oneFrame(0), slope, isTransposed);
+            std::printf("slope %5.2f%s: error of coverage %.3f, without the jitter %.3f, of one frame %.3f\n",
+                        double(slope), isTransposed ? " transposed" : "", error, ofMean, ofOne);
+            EXPECT_LT(error, ofMean + 0.008) << slope;
+            sums += glm::dvec3(error, ofMean, ofOne);
+        }
+    EXPECT_LT(sums.x, 0.5 * sums.y);
+    EXPECT_LT(sums.x, 1.2 * sums.z);
+}
+
 // A near box goes away. What it hid has no history; with any tolerance of distances, its ghost would remain.
 TYPED_TEST_P(HistoryCases, DisoccludedPixelsHaveNoGhosts) {
     for (const bool toleratesAll : {false, true}) {
@@ -227,6 +281,40 @@ TYPED_TEST_P(HistoryCases, DisoccludedPixelsHaveNoGhosts) {
         } else {
             EXPECT_LT(ghost, 1e-3f);
         }
+    }
+}
+
+// A material that is not finite for one frame: its pixels stay finite, later frames forget it, and pixels that show
+// none of it are those of a finite one.
+TYPED_TEST_P(HistoryCases, BadValuesStayInTheirPixelsAndPass) {
+    const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    ViewSettings settings = historySettings();
+    settings.config.temporal.currentShare = 0.5f;
+    const auto scene = [](float value) {
+        std::vector<Triangle> list;
+        addBox(list, -10, 58, 8, glm::vec3(0.4f));
+        addBox(list, 20, 28, 5, glm::vec3(value, 0.5f, 0.25f));
+        return list;
+    };
+    const auto framesAfter = [&](float value) {
+        typename TestFixture::Bench bench(this->context, settings, scene(0.5f));
+        std::vector<std::vector<float>> frames;
+        for (int i = 0; i < 12; ++i)
+            frames.push_back(bench.next(cameraMove(settings), scene(i == 1 ? value : 0.5f)));
+        return frames;
+    };
+    const auto good = framesAfter(0.5f);
+    for (const float value : {nan, infinity, -infinity, 1e30f}) {
+        const auto bad = framesAfter(value);
+        for (size_t i = 0; i < bad.size(); ++i) {
+            EXPECT_TRUE(std::all_of(bad[i].begin(), bad[i].end(), [](float v) { return std::isfinite(v) && v >= 0; }))
+                << value << ", frame " << i;
+            // The cubic lookup of the history reads two pixels more.
+            EXPECT_EQ(largestDifference(bad[i], good[i], 0, 17), 0) << value << ", frame " << i;
+            EXPECT_EQ(largestDifference(bad[i], good[i], 30, 47), 0) << value << ", frame " << i;
+        }
+        // The largest emission is 16; half of it remains after each frame.
+        EXPECT_LT(largestDifference(bad.back(), good.back()), 16.0f / 1024) << value;
     }
 }
 
@@ -300,6 +388,7 @@ TYPED_TEST_P(HistoryCases, ViewsWithoutDepthAreRefused) {
 
 REGISTER_TYPED_TEST_SUITE_P(HistoryCases, AStillImageIsTheMeanOfItsFrames, SharesOfFramesDecay,
                             ResetsForgetEarlierFrames, HistoryFollowsTheCamera, JitterIsNoMotion,
+                            SmaaOfTwoFramesKnowsTheirJitter, BadValuesStayInTheirPixelsAndPass,
                             DisoccludedPixelsHaveNoGhosts, HistoryIsClippedToTheColoursAround,
                             HistoryFollowsMotionVectors, OtherTechniquesAccumulate, ViewsWithoutDepthAreRefused);
 

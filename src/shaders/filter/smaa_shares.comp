@@ -69,8 +69,9 @@ vec2 agaa_sharesOfRun(agaa_Run run, int at) {
     int before = agaa_pixelsBefore(run, at);
     int after = agaa_pixelsAfter(run, at);
     int first = at - before, last = at + after + 1;
+    float moved = run.direction == agaa_rows ? agaa_frame.jitter.y : agaa_frame.jitter.x;
     return agaa_edgeShares(float(before), float(after), agaa_crossingsAt(run, first, 0),
-                           agaa_crossingsAt(run, last, 0)) *
+                           agaa_crossingsAt(run, last, 0), moved) *
            agaa_cornerShares(float(before), float(after), agaa_crossingsAt(run, first, 1),
                              agaa_crossingsAt(run, last, 1));
 }
@@ -104,8 +105,9 @@ vec2 agaa_sharesOfStaircase(ivec2 pixel, int mirror) {
     uint up = agaa_stepsOf(pixel, 1, mirror);
     if (down + up + 1u < agaa_fewestSteps)
         return vec2(0.0);
-    return agaa_diagonalShares(agaa_lowerEnd(down, agaa_isDoubled(pixel, down, -1, mirror)),
-                               agaa_upperEnd(up, agaa_isDoubled(pixel, up, 1, mirror)));
+    vec2 moved = vec2(float(mirror) * agaa_frame.jitter.x, agaa_frame.jitter.y);
+    return agaa_diagonalShares(agaa_lowerEnd(down, agaa_isDoubled(pixel, down, -1, mirror)) - moved,
+                               agaa_upperEnd(up, agaa_isDoubled(pixel, up, 1, mirror)) - moved);
 }
 
 void main() {

@@ -35,13 +35,22 @@ rvec2 agaa_areasOfHalf(real height, real middle, real from, real to) {
     return agaa_areasOfLine(height * (middle - from) / middle, height * (middle - to) / middle, to - from);
 }
 
+// Returns the height where the image is not moved. An end without a crossing edge lies on the boundary.
+real agaa_movedHeight(real height, real moved) {
+    return height == real(0.0) ? height : height + moved;
+}
+
 // before, after   Pixels of the edge before and after this one.
 // first, last     The edges that cross at its ends.
-rvec2 agaa_edgeShares(real before, real after, uint first, uint last) {
+// moved           How far the camera's jitter moved the image away from the row across (SMAA T2x, section 4.5). The
+//                 shares are those of pixels that are not moved.
+rvec2 agaa_edgeShares(real before, real after, uint first, uint last, real moved) {
     const real length = before + after + real(1.0);
-    const real from = agaa_endHeight(first, last);
-    const real to = agaa_endHeight(last, first);
-    if (from * to < real(0.0)) // one line through the edge
+    const real seenFrom = agaa_endHeight(first, last);
+    const real seenTo = agaa_endHeight(last, first);
+    const real from = agaa_movedHeight(seenFrom, moved);
+    const real to = agaa_movedHeight(seenTo, moved);
+    if (seenFrom * seenTo < real(0.0)) // one line through the edge
         return agaa_areasOfLine((from * (after + real(1.0)) + to * before) / length,
                                 (from * after + to * (before + real(1.0))) / length, real(1.0));
     const real middle = real(0.5) * length; // two lines meet there on the boundary
