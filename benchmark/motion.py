@@ -35,8 +35,8 @@ def motion_table(view):
     base = view["rows"][0]
     has_ghosts, has_light = base["ghosting"] is not None, "response" in base
     rows = []
-    for name, row in zip(ROWS, view["rows"], strict=True):
-        cells = [name, fixed(row["error"] / base["error"], 3), fixed(1000 * row["flicker"], 1)]
+    for row in view["rows"]:
+        cells = [row["name"], fixed(row["error"] / base["error"], 3), fixed(1000 * row["flicker"], 1)]
         cells += [fixed(row["ghosting"] / base["ghosting"], 3)] if has_ghosts else []
         cells += [fixed(row["sharpness"])]
         cells += [latency(row["response"])] if has_light else []
@@ -87,7 +87,8 @@ def main():
             found = runs.kept(f"{backend}-{scene}-{motion}", lambda: runs.call(
                 "motion", "--backend", backend, *view_options(source, camera, arguments.size), "--motion", motion,
                 "--frames", arguments.frames, "--spp", arguments.spp, *rows))
-            views.append({**found, "name": scene})
+            named = [{"name": name, **row} for name, row in zip(ROWS, found["rows"], strict=True)]
+            views.append({**found, "name": scene, "rows": named})
             print(f"{scene}, {motion}, {backend}: measured", flush=True)
     write_results(arguments.out, "motion", {"size": arguments.size, "views": views}, document(arguments.size, views))
 

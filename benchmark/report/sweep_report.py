@@ -16,10 +16,6 @@ from pathlib import Path
 from sweep_images import take_images
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-
-from motion import ROWS
-
 CHART_JS = ["/usr/share/javascript/chart.js/chart.min.js",
             "/usr/share/nodejs/chart.js/dist/chart.min.js",
             "/usr/share/nodejs/chart.js/dist/chart.umd.js"]
@@ -61,13 +57,12 @@ def library(source):
 
 
 def read_motions(folder):
-    """The results of benchmark/motion.py in a folder, with names of rows, and animated images as base64 texts or None."""
+    """The results of benchmark/motion.py in a folder, and animated images as base64 texts or None."""
     if folder is None:
         return {"views": []}
     motions = finite(json.loads((folder / "motion.json").read_text(encoding="utf-8")))
     for view in motions["views"]:
-        for name, row in zip(ROWS, view["rows"], strict=True):
-            row["name"] = name
+        for row in view["rows"]:
             row.pop("errors", None)
         path = folder / f"{view['backend']}-{view['name']}-{view['motion']}.webp"
         view["image"] = base64.b64encode(path.read_bytes()).decode("ascii") if path.is_file() else None

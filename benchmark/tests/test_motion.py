@@ -13,8 +13,8 @@ import motion
 
 def view(name, moves, change=None):
     rows = []
-    for number in range(len(motion.ROWS)):
-        row = {"error": 0.02 / (1 + number), "flicker": 0.1, "ghosting": None, "sharpness": 0.8, "frameMs": 10 + number,
+    for number, row_name in enumerate(motion.ROWS):
+        row = {"name": row_name, "error": 0.02 / (1 + number), "flicker": 0.1, "ghosting": None, "sharpness": 0.8, "frameMs": 10 + number,
                "bytesPerPixel": 20.4}
         rows.append({**row, **(change or {})})
     return {"name": name, "motion": moves, "backend": "vk", "device": "d", "frames": 64, "spp": 32, "disoccluded": 0.015,
