@@ -239,6 +239,10 @@ void PlanBuilder::consumeDeferred(Pass& pass, ResourceId deferred) {
 }
 
 void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource, bool writes) {
+    const bool isTaken =
+        std::any_of(pass.bindings.begin(), pass.bindings.end(), [&](const Binding& b) { return b.slot == slot; });
+    if (isTaken)
+        fail(AGAA_ERROR_INTERNAL, format("pass \"%s\" binds two resources to slot %u.", pass.name.c_str(), slot));
     pass.bindings.push_back({slot, type, resource, writes});
 }
 
