@@ -36,6 +36,15 @@ namespace {
 AgaaLayout anyLayout(Choices& choices, Memory& memory) {
     AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout(choices.oneIn(2) ? "paper16" : "precise", &layout);
+    if (choices.oneIn(4)) { // for AgaaTemporal::motion
+        AgaaLayoutAttribute& velocity = layout.attributes[layout.attributeCount++];
+        velocity = AGAA_LAYOUT_ATTRIBUTE_INIT;
+        velocity.semantic = AGAA_SEMANTIC_CUSTOM;
+        velocity.channels = 2;
+        velocity.sampleBits = 16;
+        velocity.range = 1;
+        velocity.name = memory.text("velocity");
+    }
     while (choices.oneIn(3)) {
         AgaaLayoutAttribute& attribute = layout.attributes[choices.below(AGAA_MAX_LAYOUT_ATTRIBUTES)];
         if (choices.oneIn(2) && layout.attributeCount < AGAA_MAX_LAYOUT_ATTRIBUTES) {
@@ -72,6 +81,14 @@ AgaaDecoupledCoverage* anyCoverage(Choices& choices, Memory& memory, uint32_t sa
     value.tableSize = choices.oneIn(3) ? choices.word() : 0;
     value.reserved = choices.oneIn(100);
     return memory.copy(value, 0, 0, 1);
+}
+
+AgaaTemporal* anyTemporal(Choices& choices, Memory& memory) {
+    AgaaTemporal value = AGAA_TEMPORAL_INIT;
+    if (choices.oneIn(2))
+        value.motion = anyName(choices, memory, {"velocity", "velocity", "member0", "diffuse"});
+    value.flags = choices.oneIn(10) ? choices.bits() : choices.below(4);
+    return memory.copy(value, offsetof(AgaaTemporal, currentShare), sizeof(AgaaTemporal), 5);
 }
 
 const char* anyExtensions(Choices& choices, Memory& memory) {
@@ -174,7 +191,8 @@ ViewInput::ViewInput(Choices& choices) : memory(choices) {
         AgaaStructHeader* chain[] = {
             reinterpret_cast<AgaaStructHeader*>(aggregation), reinterpret_cast<AgaaStructHeader*>(measurement),
             reinterpret_cast<AgaaStructHeader*>(adaptive),
-            reinterpret_cast<AgaaStructHeader*>(anyCoverage(choices, memory, configValue.samples))};
+            reinterpret_cast<AgaaStructHeader*>(anyCoverage(choices, memory, configValue.samples)),
+            reinterpret_cast<AgaaStructHeader*>(anyTemporal(choices, memory))};
         auto* last = reinterpret_cast<AgaaStructHeader*>(config);
         for (AgaaStructHeader* next : chain)
             if (choices.oneIn(2)) {
