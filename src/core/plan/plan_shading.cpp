@@ -10,9 +10,8 @@
 
 namespace agaa {
 
-// The time of whole frames with lit aggregates relative to those without: median of the scenes of
-// docs/results/lavapipe/sweep, n = 8, preset accurate.
-constexpr float litCost = 1.04f;
+// The time of whole frames with lit aggregates relative to those without: docs/results/lavapipe/effects/times.json.
+constexpr float litCost = 1.09f;
 
 void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
     if (plan.view.facts.maxLights < AGAA_LEAST_CULLED_LIGHTS || hasFact(AGAA_FACT_NO_LOCAL_LIGHTS) ||
