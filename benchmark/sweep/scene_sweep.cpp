@@ -130,6 +130,9 @@ void SceneSweep::countEvents() {
         RenderResult result =
             render(m.row, AGAA_CONFIG_COUNTERS, showsEvents ? AGAA_DEBUG_VIEW_EVENTS : AGAA_DEBUG_VIEW_NONE);
         m.counters = result.statistics.back().counters;
+        if (showsEvents) // a debug view evaluates no lights
+            m.counters.lightEvaluations =
+                render(m.row, AGAA_CONFIG_COUNTERS).statistics.back().counters.lightEvaluations;
         if (!showsEvents || isHeavier(m.row))
             continue;
         for (float& value : result.image.rgb)
