@@ -56,6 +56,7 @@ class Sweep(unittest.TestCase):
                 for each in row["passes"]:
                     if each["ms"]:
                         self.assertEqual(len(each["ms"]["turns"]), each["ms"]["frames"])
+                self.assertGreaterEqual(row["lightEvaluationsPerPixel"], row["shadingCost"] * row["eventsPerPixel"])
                 self.assertGreater(row["errorReference"]["mseTm"], 0)
                 self.assertEqual(row["errorSameSamples"] is None,
                                  row["technique"] in ("ssaa", "dcaa") or row["n"] == 1)
