@@ -57,15 +57,15 @@ AGAA_API void AGAA_CALL agaaInitMeasuredSettings(AgaaMeasuredSettings* outMeasur
  * sampling. If `measured` is null, errors are predicted from the ten scenes of docs/choosing.md: they do not depend
  * on the contents of a frame.
  *
- * If `measured` is set, the choice is made among its settings, with the measured errors; sceneShare is not used. If
- * the settings have times, the predicted times are the measured ones, scaled by the times that were observed later
- * and to other numbers of pixels: shading in proportion, geometry by the observed sizes or, if there is one size, by
- * the root of the ratio. Either all measured settings have times, or none has.
+ * If `measured` is set, the choice is made among its settings, with the measured errors; sceneShare is used with the
+ * flag below alone. If the settings have times, the predicted times are the measured ones, scaled by the times that
+ * were observed later and to other numbers of pixels: shading in proportion, geometry by the observed sizes or, if
+ * there is one size, by the root of the ratio. Either all measured settings have times, or none has.
  *
- * With AGAA_GOAL_PREDICT_OTHERS, the choice is made among all settings of the table, and the errors that are not
- * measured are predicted: over the ten scenes, the logarithms of errors vary together as in a joint normal
- * distribution, whose condition are the measured ones. A predicted error is not exceeded with the probability
- * sceneShare. A host that measures each choice, adds it to `measured` and chooses anew settles after few frames. */
+ * With AGAA_GOAL_PREDICT_OTHERS, the choice is made among all settings of the table. The errors that are not measured
+ * are predicted from the measured ones and from the covariance of the logarithms of errors over the ten scenes. A
+ * predicted error is not exceeded with the probability sceneShare, clamped to [0.001, 0.999]. A host that measures each
+ * choice, adds it to `measured` and chooses anew settles after few frames. */
 typedef struct AgaaGoal {
     uint32_t sType;
     uint32_t structSize;
@@ -173,7 +173,7 @@ typedef struct AgaaChoice {
     float errorShare;        /* predicted error divided by the error of "single", in AgaaGoal::sceneShare of the
                                 scenes. With AgaaGoal::measured, this member and the next two are the measured error.
                                 Predicted with AGAA_GOAL_PREDICT_OTHERS, they are not exceeded with the probabilities
-                                AgaaGoal::sceneShare, 0.5 and 0.98 */
+                                AgaaGoal::sceneShare, 0.5, and 0.98 or more */
     float errorShareMedian;  /* predicted error share in half of the scenes */
     float errorShareWorst;   /* predicted error share in all scenes */
     float error;             /* predicted error, in AgaaGoal::sceneShare of the scenes; or the measured one */
@@ -194,7 +194,7 @@ typedef struct AgaaChoice {
 AGAA_API void AGAA_CALL agaaInitChoice(AgaaChoice* outChoice, size_t structSize);
 
 /* Chooses the technique, its tier, n, c and preset for a goal. The candidates are the settings of a table that was
- * measured on ten scenes, or those that the host measured in its own scene (docs/integration/goals.md). The call
+ * measured on ten scenes, those that the host measured in its own scene, or both (docs/integration/goals.md). The call
  * creates nothing: if hasChanged is 1, the host applies the choice (agaaApplyChoice) and creates another view.
  *
  * The byte limit has priority over the other limits. If no settings satisfy all limits, the call chooses the

@@ -83,7 +83,7 @@ class FromMeasurements(unittest.TestCase):
             row = measured("ssaa", 8, share, 0)
             choice = self.choose([row], "--predict-others", "--prefer", "error")
             self.assertNotEqual((choice["technique"], choice["samples"]), ("ssaa", 8))
-            self.assertIn("Predicted by 1 measured settings", choice["reason"])
+            self.assertIn("Predicted from 1 measured setting:", choice["reason"])
             self.assertLess(choice["errorShareMedian"], choice["errorShare"])
             errors.append(choice["errorShare"])
         self.assertLess(errors[1], errors[0])

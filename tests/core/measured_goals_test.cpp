@@ -446,7 +446,7 @@ TEST(PredictedOthers, ErrorsScaleWithThatOfSingle) {
     EXPECT_NEAR(host.choice.error / host.choice.errorShare, 0.01f, 1e-6f);
     EXPECT_LT(host.choice.errorShareMedian, host.choice.errorShare);
     EXPECT_LT(host.choice.errorShare, host.choice.errorShareWorst);
-    EXPECT_NE(std::string(host.choice.reason).find("Predicted by 1 measured settings: error"), std::string::npos)
+    EXPECT_NE(std::string(host.choice.reason).find("Predicted from 1 measured setting: error"), std::string::npos)
         << host.choice.reason;
     host.goal.sceneShare = 0.5f;
     EXPECT_EQ(host.freshMeasured().errorShare, host.choice.errorShareMedian);

@@ -54,8 +54,8 @@ std::string errorsText(const AgaaChoice& choice, const Predictions& predictions)
     if (predictions.isMeasured(rowOf(choice)))
         return format("Measured: error %.3g of single's. Predicted: ", choice.errorShare);
     const size_t count = predictions.measuredCount();
-    const std::string by = count > 0 ? format(" by %zu measured settings", count) : "";
-    return format("Predicted%s: error %.3g of single's (median %.3g, worst %.3g), ", by.c_str(), choice.errorShare,
+    const std::string from = count > 0 ? format(" from %zu measured setting%s", count, count == 1 ? "" : "s") : "";
+    return format("Predicted%s: error %.3g of single's (median %.3g, worst %.3g), ", from.c_str(), choice.errorShare,
                   choice.errorShareMedian, choice.errorShareWorst);
 }
 

@@ -9,8 +9,9 @@ namespace agaa {
 
 namespace {
 
-constexpr double noise = 0.1;        // standard deviation of a logarithm; benchmark/choice_errors.py compares others
-constexpr double largestShare = 1e9; // as AgaaMeasuredSettings::errorShare
+constexpr double noise = 0.1;          // standard deviation of a logarithm
+constexpr double smallestShare = 1e-9; // 0 would satisfy every limit
+constexpr double largestShare = 1e9;   // as AgaaMeasuredSettings::errorShare
 
 using Logarithms = std::array<double, tableScenes>;
 
@@ -87,7 +88,7 @@ float ErrorModel::errorShare(const ChoiceRow& row, double probability) const {
     const double ownNoise = variance > 0 ? noise : 0; // "single" is 1 in every scene
     const double logarithm =
         mean(row) + dot(of, weights_) + normalQuantile(probability) * std::hypot(std::sqrt(variance), ownNoise);
-    return float(std::exp(std::min(logarithm, std::log(largestShare))));
+    return float(std::exp(std::clamp(logarithm, std::log(smallestShare), std::log(largestShare))));
 }
 
 double normalQuantile(double probability) {

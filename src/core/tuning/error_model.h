@@ -20,7 +20,7 @@ class ErrorModel {
 public:
     explicit ErrorModel(std::span<const MeasuredShare> measured);
 
-    // Returns the error share that is not exceeded with a probability, at most 1e9.
+    // Returns the error share that is not exceeded with a probability, [1e-9, 1e9].
     float errorShare(const ChoiceRow& row, double probability) const;
 
 private:

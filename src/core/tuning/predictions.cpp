@@ -67,8 +67,8 @@ void Predictions::addOthers(const AgaaGoal& goal) {
         if (contains(row))
             continue;
         const float share = model.errorShare(row, double(goal.sceneShare));
-        list_.push_back({&row, share, model.errorShare(row, 0.5), model.errorShare(row, nearlyCertain),
-                         share * singleError, false});
+        const float worst = std::max(share, model.errorShare(row, nearlyCertain));
+        list_.push_back({&row, share, model.errorShare(row, 0.5), worst, share * singleError, false});
     }
 }
 
