@@ -7,11 +7,10 @@ run continues with the results in OUT/work.
 import json
 import sys
 
-from choice_rows import GEOMETRY, candidates
+from choice_rows import GEOMETRY, SWEEP, candidates
 from command_line import tool_parser
-from runs import ROOT, Runs, view_options, write_json
+from runs import Runs, view_options, write_json
 
-SWEEP = ROOT / "docs/results/lavapipe/sweep/results.json"
 
 
 def table_rows():
@@ -113,7 +112,7 @@ def measured_settings(measured, size):
 def write_measured(path, measured, size, has_times=True):
     settings = measured_settings(measured, size)
     if not has_times:
-        settings = [{key: value for key, value in one.items() if not key.endswith("Ms")} for one in settings]
+        settings = [{key: value for key, value in one.items() if key != "pixels" and not key.endswith("Ms")} for one in settings]
     write_json(path, {"measured": settings})
 
 

@@ -10,12 +10,11 @@ import math
 import pathlib
 import statistics
 
-from choice_rows import candidate, candidates, scenes
+from choice_rows import SWEEP, candidate, candidates, scenes
 from command_line import tool_parser
 from markdown_table import paragraph
-from runs import ROOT, write_results
+from runs import write_results
 
-RESULTS = ROOT / "docs/results/lavapipe/sweep/results.json"
 NOISE = 0.1  # of src/core/tuning/error_model.cpp
 TARGETS = (0.25, 0.1, 0.05, 0.02)
 COUNTS = ("shading events", "aggregates", "primitives", "widened lobes")
@@ -182,7 +181,7 @@ def document(results, rows, judged):
 
 def main():
     parser = tool_parser(__doc__, out="choice-errors", harness=False)
-    parser.add_argument("results", nargs="?", default=RESULTS, type=pathlib.Path, help="results.json of a sweep")
+    parser.add_argument("results", nargs="?", default=SWEEP, type=pathlib.Path, help="results.json of a sweep")
     arguments = parser.parse_args()
     results = json.loads(arguments.results.read_text())
     errors, milliseconds = logarithms(results), times(results)

@@ -1,6 +1,10 @@
 """The rows of a sweep that agaaChooseSettings chooses among."""
 import dataclasses
 
+from runs import ROOT
+
+SWEEP = ROOT / "docs/results/lavapipe/choices/results.json"  # of the table
+
 # The stages of passes that draw the scene; all other stages shade.
 GEOMETRY = ("prepass", "definition", "generation")
 
@@ -8,7 +12,7 @@ GEOMETRY = ("prepass", "definition", "generation")
 PRESETS_LEFT_OUT = {"paper", "lean", "exact", "device"}
 # A still image does not show its errors in motion, and it needs motion vectors.
 TECHNIQUES_LEFT_OUT = {"taa"}
-TIERS_LEFT_OUT = {"material-lists"}
+TIERS_LEFT_OUT = {"fragments", "material-lists"}
 
 
 @dataclasses.dataclass(frozen=True)

@@ -9,13 +9,15 @@ import json
 import pathlib
 import statistics
 
-from choice_rows import GEOMETRY, candidate, candidates, scenes
+from choice_rows import GEOMETRY, SWEEP, candidate, candidates, scenes
 from command_line import tool_parser
 from least_squares import nonnegative
 from runs import ROOT
 
-RESULTS = ROOT / "docs/results/lavapipe/sweep/results.json"
 TAPS = ROOT / "docs/results/lavapipe/shadow_taps.json"
+
+TIERS = {"": "AUTO", "lists": "FRAGMENT_LISTS"}  # of names that differ from the enumerator's
+LEAST_SHADING = 0.01  # of a frame, or its timestamps do not tell passes apart
 
 
 class Frame:
@@ -31,6 +33,10 @@ class Frame:
         for stage, ms in row["stageMs"].items():
             times[stage in GEOMETRY] += ms * 1e6 / pixels
         self.geometry, self.shading = times[True], times[False]
+
+
+def tells_passes(frame):
+    return frame.shading > LEAST_SHADING * (frame.geometry + frame.shading)
 
 
 class Costs:
@@ -81,8 +87,9 @@ class Model:
         self.costs = costs
         self.rows = rows
         self.tap = tap
-        self.geometry = {row: self.fit_geometry(row) for row in rows}
         self.shading = self.fit_shading()
+        self.split_untold_frames()
+        self.geometry = {row: self.fit_geometry(row) for row in rows}
         self.events = {row: line([(costs.complexity(s), self.per_covered(row, s, "events")) for s in costs.scenes]) for row in rows}
         self.taps = {row: line([(costs.complexity(s), self.per_covered(row, s, "taps")) for s in costs.scenes]) for row in rows}
         self.lights = {row: self.fit_lights(row) for row in rows}
@@ -101,12 +108,23 @@ class Model:
         rows, targets, taps = [], [], []
         for row in self.rows:
             for scene in self.costs.scenes:
-                for frame in self.costs.frames[row, scene]:
+                for frame in filter(tells_passes, self.costs.frames[row, scene]):
                     rows.append({(row.name, "pixel"): 1.0, (row.name, "event"): frame.events, "light": frame.events * frame.lights})
                     targets.append(frame.shading)
                     taps.append(frame.taps)
         tap = self.tap * nonnegative(rows, targets)["light"]
         return {**nonnegative(rows, targets, [tap * count for count in taps]), "tap": tap}
+
+    def split_untold_frames(self):
+        """Gives shading the time of its lights and shadows where timestamps do not tell it from the passes before: lavapipe has
+        one time for compute passes in a row."""
+        for frames in self.costs.frames.values():
+            for frame in frames:
+                if not tells_passes(frame):
+                    whole = frame.geometry + frame.shading
+                    lights = self.shading["light"] * frame.events * frame.lights + self.shading["tap"] * frame.taps
+                    frame.shading = min(lights, 0.5 * whole)
+                    frame.geometry = whole - frame.shading
 
     def fit_lights(self, row):
         """Lights of an event as a multiple of single's: techniques that the host shades do not cull lights."""
@@ -114,7 +132,8 @@ class Model:
 
     def shading_time(self, row, events, lights, taps):
         found = self.shading
-        return (found[row.name, "pixel"] + found[row.name, "event"] * events + found["light"] * events * lights
+        own = found.get((row.name, "pixel"), 0.0) + found.get((row.name, "event"), 0.0) * events
+        return (own + found["light"] * events * lights
                 + found["tap"] * taps)
 
     def fit_error(self, row):
@@ -200,10 +219,10 @@ AGAA_CHOICE_COMMON({numbers([model.shading["light"], model.shading["tap"], model
                              model.middle(costs.coverage), model.middle(costs.complexity),
                              model.middle(lambda scene: costs.of(costs.single, scene).lights)])})"""]
     for row in rows:
-        found = [*model.geometry[row], model.shading[row.name, "pixel"], model.shading[row.name, "event"], model.lights[row],
+        found = [*model.geometry[row], model.shading.get((row.name, "pixel"), 0.0), model.shading.get((row.name, "event"), 0.0), model.lights[row],
                  *model.events[row], *model.taps[row]]
         shares = [errors[row, name] / own for name, own in zip(names, single, strict=True)]
-        tier = row.tier.upper().replace("-", "_") or "AUTO"
+        tier = TIERS.get(row.tier, row.tier.upper().replace("-", "_"))
         text.append(f"// {percent(model.fit_error(row))}, {percent(model.transfer_error(row))}")
         text.append(f'AGAA_CHOICE_ROW("{row.technique}", {row.samples}, {row.aggregates}, "{row.preset}", {tier},\n'
                     f"                {numbers(found)},\n                {numbers(shares)})")
@@ -213,7 +232,7 @@ AGAA_CHOICE_COMMON({numbers([model.shading["light"], model.shading["tap"], model
 
 def main():
     parser = tool_parser(__doc__, harness=False)
-    parser.add_argument("results", nargs="?", default=RESULTS, type=pathlib.Path, help="results.json of a sweep")
+    parser.add_argument("results", nargs="?", default=SWEEP, type=pathlib.Path, help="results.json of a sweep")
     parser.add_argument("--taps", default=TAPS, type=pathlib.Path, help="shadow_taps.json of benchmark/shadow_taps.py")
     arguments = parser.parse_args()
     tap = json.loads(arguments.taps.read_text())["ratio"]

@@ -38,11 +38,13 @@ ROWS = [
     ("`single`, one sample", "single", 1, 0, "", ""),
     ("MSAA: `msaa`", "msaa", 8, 0, "", ""),
     ("supersampling: `ssaa`", "ssaa", 8, 0, "", ""),
+    ("one event: `visibility`", "visibility", 8, 0, "", ""),
+    ("`adaptive`, n = 9", "adaptive", 9, 0, "gbuffer", ""),
     ("`sbaa`, S = 2", "sbaa", 8, 2, "", ""),
-    ("`sbaa`, S = 4", "sbaa", 8, 4, "", ""),
     ("`agaa`, c = 2", "agaa", 8, 2, "", ""),
     ("`agaa`, c = 2, by id", "agaa", 8, 2, "ids", ""),
     ("`agaa`, preset accurate, by id", "agaa", 8, 4, "ids", "accurate"),
+    ("`dcaa`, n = 64, S = 4", "dcaa", 64, 4, "", ""),
 ]
 
 

@@ -84,7 +84,7 @@ def number(row, key, member):
 def front(rows):
     """The rows that have less error than all faster ones: the page shows them first."""
     timed = [(number(row, "frameMs", "median"), number(row, "errorReference", "mseTm"), i) for i, row in enumerate(rows)
-             if row.get("shadingCost", 1) == 1]
+             if row.get("shadingCost", 1) == 1 and row.get("technique") != "taa"]  # as best.js
     found, least = [], None
     for _, error, i in sorted(entry for entry in timed if None not in entry):
         if least is None or error < least:

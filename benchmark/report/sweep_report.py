@@ -62,7 +62,7 @@ def read_motions(folder):
         return {"views": []}
     motions = finite(json.loads((folder / "motion.json").read_text(encoding="utf-8")))
     for view in motions["views"]:
-        for row in view["rows"]:
+        for row in view.get("rows", []):
             row.pop("errors", None)
         path = folder / f"{view['backend']}-{view['name']}-{view['motion']}.webp"
         view["image"] = base64.b64encode(path.read_bytes()).decode("ascii") if path.is_file() else None

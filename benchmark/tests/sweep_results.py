@@ -164,7 +164,8 @@ def write_results(folder, results):
 def write_motion(folder):
     """Results of benchmark/motion.py; the first of two motions has an image of one pixel."""
     def row(i, has_ghosts):
-        return {"name": ("single", "taa", "agaa 8")[i], "error": 0.01 / (1 + i), "flicker": 0.05, "ghosting": 0.02 / (1 + i) if has_ghosts else None, "sharpness": 0.9,
+        ghosting = 0.02 / (1 + i) if has_ghosts else None
+        return {"name": ("single", "taa", "agaa 8")[i], "error": 0.01 / (1 + i), "flicker": 0.05, "ghosting": ghosting, "sharpness": 0.9,
                 "frameMs": 10.0 + i, "bytesPerPixel": 20.0, "errors": [0.01]}
 
     views = [{"backend": backend, "name": name, "motion": motion, "device": "llvmpipe", "frames": 40, "spp": 32, "referenceMseTm": 1e-5,

@@ -50,7 +50,7 @@ class Choosing(unittest.TestCase):
     def test_how_often(self):
         lines = choosing.how_often([self.scene, scene(name="city")])
         self.assertEqual(lines[2], "| error 1/4 of single's | simple\\_complex n=8 (2) |")
-        self.assertEqual(len(lines), 2 + 9 + 1)
+        self.assertEqual(len(lines), 2 + 10 + 1)
         self.scene["rows"] = self.scene["rows"][:1]
         self.assertIn("none (1)", choosing.how_often([self.scene, scene(name="city")])[2])
 

@@ -35,7 +35,7 @@ class Calibration(unittest.TestCase):
             path = pathlib.Path(folder) / "measured.json"
             calibrate.write_measured(path, MEASURED, "20x10", has_times=False)
             self.assertEqual(json.loads(path.read_text())["measured"][1],
-                             {"technique": "ssaa", "preset": None, "samples": 8, "aggregates": 0, "tier": None, "pixels": 200,
+                             {"technique": "ssaa", "preset": None, "samples": 8, "aggregates": 0, "tier": None,
                               "errorShare": 0.1, "error": 0.001})
 
     def test_times_are_those_of_stages(self):

@@ -5,29 +5,31 @@ const budgetOptions = () => [
     ...BUDGETS.map((factor) => ({value: String(factor), text: `${factor}× the time of single`})),
     {value: "any", text: "any time"}, {value: "own", text: "my own choice"}];
 
-const singleOf = (choices) => choices.find(({row}) => row && row.technique === "single")?.row;
+const singleOf = (scene) => rowsOf(scene).find((row) => row.technique === "single" && costOf(row) === 1);
 
-// Returns the index of the choice of least error whose frame takes no longer, or -1.
-function bestWithin(choices, budget) {
-    const single = singleOf(choices);
-    const limit = budget === "any" ? Infinity : Number(budget) * (single ? frameMs(single) : NaN);
-    const within = choices.filter(({row}) => row && errorOf(row, METRICS.mseTm) !== null && frameMs(row) <= limit);
+// Returns the index of the choice of least error whose frame takes no longer, or -1. The history of "taa" converges,
+// because the camera of a sweep stands still.
+function bestWithin(scene, choices, budget) {
+    const single = singleOf(scene);
+    const limit = budget === "any" ? Infinity : Number(budget) * ((single && frameMs(single)) ?? NaN);
+    const isWithin = (row) => frameMs(row) !== null && frameMs(row) <= limit && errorOf(row, METRICS.mseTm) !== null;
+    const within = choices.filter(({row}) => row && row.technique !== "taa" && isWithin(row));
     const best = least(within, ({row}) => errorOf(row, METRICS.mseTm));
     return best ? choices.indexOf(best) : -1;
 }
 
-function showNumbers(choices, row) {
+function showNumbers(scene, row) {
     if (!row) {
         fill("numbers");
         return;
     }
-    const single = singleOf(choices);
+    const single = singleOf(scene);
     const flicker = (of) => finite(field(of, "temporal", "flicker"));
     const beside = (of) => single && single !== row ? `${significant(ratio(of(row), of(single)), 2)} × single` : "";
     const error = (of) => errorOf(of, METRICS.mseTm), bytes = (of) => finite(of.bytesPerPixel);
     const numbers = [
         ["Error", errorText(error(row), METRICS.mseTm), beside(error)],
-        ["Flicker", significant(flicker(row)), single ? `single ${significant(flicker(single))}, the truth 1` : ""],
+        ["Flicker", significant(flicker(row)), single ? `single ${significant(flicker(single))}, reference 1` : ""],
         ["Frame", msText(frameMs(row)) + " ms", single && single !== row ? `${significant(ratio(frameMs(row), frameMs(single)), 2)} × single` : ""],
         ["Memory", significant(bytes(row)) + " bytes a pixel", beside(bytes)],
     ];

@@ -67,8 +67,8 @@ function resizeCompare() {
     frame.scrollTop = (frame.scrollHeight - frame.clientHeight) / 2;
 }
 
-async function updateCompare(choices) {
-    showNumbers(choices, choices[Number(byId("right").value)].row);
+async function updateCompare(scene, choices) {
+    showNumbers(scene, choices[Number(byId("right").value)].row);
     const left = choices[Number(byId("left").value)], right = choices[Number(byId("right").value)];
     const reference = choices.find((choice) => choice.reference);
     setOptions(byId("mode"), rightModes(left, right, reference), "image");
@@ -141,17 +141,19 @@ function showCompare(scene) {
             + "of shading events were lit more often." + (results.imagesLeftOut ? ` ${results.imagesLeftOut} images of this sweep `
             + "are not on this page, which takes a part of those beside its results to stay small." : "")}));
     const applyBudget = () => {
-        const best = budget.value === "own" ? -1 : bestWithin(choices, budget.value);
+        const best = budget.value === "own" ? -1 : bestWithin(scene, choices, budget.value);
         if (best >= 0)
             selects[1].value = String(best);
-        updateCompare(choices);
+        else
+            budget.value = "own"; // no image on the page is of such a row
+        updateCompare(scene, choices);
     };
     budget.addEventListener("change", applyBudget);
     for (const select of selects)
         select.addEventListener("change", () => {
             if (select === selects[1])
                 budget.value = "own";
-            updateCompare(choices);
+            updateCompare(scene, choices);
         });
     applyBudget();
 }

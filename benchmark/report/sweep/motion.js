@@ -7,7 +7,7 @@ function motionTable(view) {
     const rows = dicts(view.rows), base = rows[0] ?? {};
     const hasGhosts = finite(base.ghosting) !== null;
     const times = (of) => (row) => significant(ratio(finite(of(row)), finite(of(base))), 2);
-    const columns = [["error", times((row) => row.error)], ["flicker, thousandths", (row) => significant(1000 * row.flicker, 2)],
+    const columns = [["error", times((row) => row.error)], ["flicker, thousandths", (row) => finite(row.flicker) === null ? MISSING : significant(1000 * row.flicker, 2)],
         ...(hasGhosts ? [["ghosting", times((row) => row.ghosting)]] : []),
         ["sharpness", (row) => significant(row.sharpness, 2)], ["time", times((row) => row.frameMs)],
         ["bytes a pixel", (row) => significant(row.bytesPerPixel)]];
@@ -25,8 +25,8 @@ function showMotion() {
     const parts = [];
     if (finite(view.image) !== null)
         parts.push(element("img", {className: "motion", src: imageUrl(view.image), alt: `${view.name}, ${view.motion}: reference, single, taa, agaa`}));
-    parts.push(element("p", {className: "hint", textContent: `${view.device ?? MISSING}, ${motions.size ?? MISSING} pixels, ${view.frames} `
-        + `frames, references of ${view.spp} samples, whose own error is ${significant(ratio(view.referenceMseTm, view.rows?.[0]?.error), 2)} of that of single.`}));
+    parts.push(element("p", {className: "hint", textContent: `The figures: ${view.device ?? MISSING}, ${motions.size ?? MISSING} pixels, ${view.frames ?? MISSING} `
+        + `frames, references of ${view.spp ?? MISSING} samples, whose own error is ${significant(ratio(view.referenceMseTm, view.rows?.[0]?.error), 2)} of that of single.`}));
     fill("motion", ...parts, motionTable(view));
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 // Times of whole frames relative to post-depth atomics, with n = 8 and c = 2. They are medians of the scenes of
 // docs/results/lavapipe/sweep.
-constexpr float gbufferCost = 0.64f, idsCost = 0.61f;
+constexpr float gbufferCost = 0.64f, idsCost = 0.54f;
 // Times relative to lists, n = 64, S = 4: on lavapipe, foliage and metal, 320x180; on an NVIDIA H200 (not kept), bamboo
 // and metal, 1280x720. Material lists take 2.8 on the H200.
 constexpr float materialListsCost = 1.15f;
