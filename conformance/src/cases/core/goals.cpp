@@ -372,7 +372,7 @@ void addGoalCases(Suite& suite) {
     for (const char* parameter : {"caps", "log", "observation", "current"})
         suite.core(std::string("agaaChooseSettings/") + parameter + ".null", testChooseNulls);
     suite.core("agaaChooseSettings/measured", testMeasured);
-    suite.core("agaaChooseSettings/predicted-others", testPredictedOthers);
+    suite.core("agaaChooseSettings/predictedOthers", testPredictedOthers);
     suite.core("agaaChooseSettings/outChoice.unchanged", [](Test& test) { testWrongGoals(test, AGAA_OK); });
     suite.core("agaaChooseSettings/AGAA_ERROR_INVALID_ARGUMENT", testChooseInvalid);
     for (const auto& [name, error] : {std::pair<const char*, AgaaResult>{"STRUCT", AGAA_ERROR_STRUCT},
