@@ -395,9 +395,20 @@ TEST(Planner, LightsAreCulledWhereThereAreManyAndADepth) {
         spec.change = [](TechniqueConfig& config) { config.measurement.flags |= AGAA_MEASURE_NO_LIGHT_CULLING; };
         EXPECT_EQ(passesOf(spec), 0) << technique;
     }
-    for (const char* technique : {"msaa", "dcaa"})
-        EXPECT_EQ(passesOf({.technique = technique, .samples = technique[0] == 'd' ? 32u : 4u, .maxLights = 64}), 0)
-            << technique;
+    EXPECT_EQ(passesOf({.technique = "msaa", .maxLights = 64}), 0);
+}
+
+TEST(Planner, PassesWithoutDepthFindTheirLights) {
+    for (const uint32_t lights : {7u, 8u, 33u}) {
+        const Plan plan = planFor({.technique = "dcaa", .samples = 32, .maxLights = lights}, fourSampleDevice());
+        const bool culls = lights >= 8;
+        const auto shade = std::ranges::find(plan.passes, "shade surfaces", &Pass::name);
+        ASSERT_NE(shade, plan.passes.end());
+        EXPECT_EQ(shade->constants[AGAA_LIGHT_WORDS], culls ? (lights + 31) / 32 : 0);
+        EXPECT_EQ(std::ranges::find(plan.effects, "light-culling") != plan.effects.end(), culls);
+        for (const Resource& resource : plan.resources)
+            EXPECT_NE(resource.name, "light-masks");
+    }
 }
 
 // OpenGL has few places of a kind, so that slots share them: never in one pass. Hosts have storage buffers from place 4

@@ -87,10 +87,32 @@ TYPED_TEST_P(CullingCases, AnyNumberOfLights) {
     }
 }
 
-// Lists of fragments leave no depth.
-TYPED_TEST_P(CullingCases, WithoutDepthAllLightsAreEvaluated) {
-    Shot shot = this->shotOf(40, 1);
-    EXPECT_EQ(this->expectNoDifference(this->settingsOf("dcaa", 32, 4), shot), 1);
+// Lists of fragments leave no depth, so that the shading passes find the lights.
+TYPED_TEST_P(CullingCases, CoverageSamplesFindTheirLights) {
+    const Shot shot = this->shotOf(100, 1);
+    struct Way {
+        const char* technique;
+        uint32_t tier;
+        uint64_t coverage;
+        uint32_t lanes;
+    };
+    for (size_t setting = 0; const auto& [technique, tier, coverage, lanes] :
+                             {Way{"dcaa", AGAA_TIER_FRAGMENT_LISTS, 0, AGAA_LANES_AUTO},
+                              {"dcaa", AGAA_TIER_FRAGMENT_LISTS, AGAA_COVERAGE_EXACT, AGAA_LANES_PIXEL},
+                              {"dcaa", AGAA_TIER_FRAGMENT_LISTS, AGAA_COVERAGE_EXACT, AGAA_LANES_SAMPLE_SHARED},
+                              {"dcaa", AGAA_TIER_MATERIAL_LISTS, AGAA_COVERAGE_EXACT, AGAA_LANES_AUTO},
+                              {"agaa", AGAA_TIER_FRAGMENTS, 0, AGAA_LANES_PIXEL},
+                              {"agaa", AGAA_TIER_FRAGMENTS, 0, AGAA_LANES_SAMPLE_SHARED}}) {
+        if (!rendersSetting<TypeParam>(setting++))
+            continue;
+        SCOPED_TRACE(std::string(technique) + ", " + agaaTierName(tier) + ", setting " + std::to_string(setting));
+        ViewSettings settings = this->settingsOf(technique, 32, technique[0] == 'd' ? 4 : 2, tier);
+        settings.config.coverage.flags = coverage;
+        settings.config.measurement.lanes = lanes;
+        const double left = this->expectNoDifference(settings, shot);
+        std::printf("%s, setting %zu: %.2f of the evaluations\n", technique, setting, left);
+        EXPECT_LT(left, 0.5);
+    }
 }
 
 TYPED_TEST_P(CullingCases, EachProjection) {
@@ -180,7 +202,7 @@ TYPED_TEST_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp, ImagesAreBitEqual, AnyNumberOfLights,
-                            WithoutDepthAllLightsAreEvaluated, EachProjection, AnySizeAndView,
+                            CoverageSamplesFindTheirLights, EachProjection, AnySizeAndView,
                             FramesWithFewLightsEvaluateThem);
 
 } // namespace agaa::test

@@ -63,6 +63,8 @@ public:
     // Adds a pass that lists the lights that reach each tile, for shading passes that are added later. bindDepth binds
     // the depth of samples.
     void cullLights(const std::function<void(Pass&)>& bindDepth);
+    // Lets shading passes that are added later, and define AGAA_FINDS_LIGHTS, cull the lights of each tile.
+    void cullLightsWhereShaded();
     // Binds lights, shadow maps and the host's shadow function to a pass that shades.
     void bindLighting(Pass& pass);
     // Compiles the pass with the host's function that reads samples of the host's G-buffer.
@@ -110,7 +112,8 @@ private:
     Constants constants_{};
     std::array<ResourceId, 3> frames_; // frame constants by segment
     ResourceId lights_ = noResource;
-    ResourceId lightMasks_ = noResource; // of tiles, if lights are culled
+    bool cullsLights_ = false;
+    ResourceId lightMasks_ = noResource; // of tiles, if a pass culls lights
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
     ResourceId image_ = noResource; // if frames are accumulated

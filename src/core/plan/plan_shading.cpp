@@ -13,13 +13,19 @@ namespace agaa {
 // The time of whole frames with lit aggregates relative to those without: docs/results/lavapipe/effects/times.json.
 constexpr float litCost = 1.09f;
 
+void PlanBuilder::cullLightsWhereShaded() {
+    cullsLights_ = plan.view.facts.maxLights >= AGAA_LEAST_CULLED_LIGHTS && !hasFact(AGAA_FACT_NO_LOCAL_LIGHTS) &&
+                   !(plan.view.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING);
+    if (cullsLights_)
+        constants_[AGAA_LIGHT_WORDS] = (plan.view.facts.maxLights + 31) / 32;
+}
+
 void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
-    if (plan.view.facts.maxLights < AGAA_LEAST_CULLED_LIGHTS || hasFact(AGAA_FACT_NO_LOCAL_LIGHTS) ||
-        (plan.view.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
+    cullLightsWhereShaded();
+    if (!cullsLights_)
         return;
-    const uint32_t words = (plan.view.facts.maxLights + 31) / 32;
+    const uint32_t words = uint32_t(constants_[AGAA_LIGHT_WORDS]);
     lightMasks_ = tileBuffer("light-masks", 8, 4 * (words + 1)); // the last word is for shadows
-    constants_[AGAA_LIGHT_WORDS] = words;
     Pass& cull = compute("cull lights", AGAA_STAGE_SHADING, "cull_lights", AGAA_SEGMENT_SHADING);
     bind(cull, slot::Frame, BindingType::UniformBuffer, frameConstants(cull.segment));
     bind(cull, slot::Lights, BindingType::StorageBuffer, lights_);
@@ -33,8 +39,8 @@ void PlanBuilder::bindLighting(Pass& pass) {
         !host || plan.view.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
         "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
     bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer, lights_);
-    // Shaders declare the masks even if there are none.
-    if (!host)
+    // Shaders declare the masks even if there are none, unless they cull lights themselves.
+    if (!host && (lightMasks_ != noResource || !cullsLights_))
         bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
     bindShadows(pass);
     if (plan.effects.empty())
@@ -74,7 +80,7 @@ void PlanBuilder::listEffects(bool readsFolded) {
         effect("ambient");
     if (hasFact(AGAA_FACT_ALPHA_MASKED))
         effect("alpha-mask");
-    if (lightMasks_ != noResource)
+    if (cullsLights_)
         effect("light-culling");
     if (plan.view.facts.shadowMapCount)
         effect("shadows");

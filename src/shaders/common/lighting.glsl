@@ -1,5 +1,6 @@
 // Lighting of one surface or aggregate by all lights, with shadows. Needs AGAA_SHADOWS, common/frame.glsl, and a
-// function agaa_count(counter, amount).
+// function agaa_count(counter, amount). Passes that find the lights of a tile themselves (common/tile_lights.glsl)
+// define AGAA_FINDS_LIGHTS; others read the masks of lights that a pass before them has written.
 #ifndef AGAA_LIGHTING_GLSL
 #define AGAA_LIGHTING_GLSL
 #if !defined(AGAA_SHADOWS) || !defined(AGAA_FRAME_GLSL)
@@ -33,11 +34,9 @@ bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
     uint layer = 0u; // every map has one
     do {
         vec4 clip = agaa_lightBuffer.shadows[map].matrices[layer] * vec4(p, 1.0);
-        if (clip.w > 0.0 && abs(clip.x) <= clip.w && abs(clip.y) <= clip.w && clip.z >= 0.0 &&
-            clip.z <= clip.w) {
+        if (clip.w > 0.0 && abs(clip.x) <= clip.w && abs(clip.y) <= clip.w && clip.z >= 0.0 && clip.z <= clip.w) {
             vec3 ndc = agaa_quotient3(clip.xyz, clip.w);
-            coordinate = vec4(ndc.xy * 0.5 + 0.5, float(layer),
-                              ndc.z - agaa_lightBuffer.shadows[map].bias);
+            coordinate = vec4(ndc.xy * 0.5 + 0.5, float(layer), ndc.z - agaa_lightBuffer.shadows[map].bias);
             return true;
         }
     } while (++layer < agaa_lightBuffer.shadows[map].layerCount);
@@ -151,8 +150,8 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
         if (light.type == AGAA_LIGHT_SPOT)
             intensity *= agaa_spotCone(dot(-toLight, light.direction), light.cosInner, light.cosOuter);
         if (agaa_positionSpread > 0.0)
-            toLight = agaa_lightDirection(agaa_nearestToLight(d, s.normal, agaa_positionSpread),
-                                          light.radius * light.radius);
+            toLight =
+                agaa_lightDirection(agaa_nearestToLight(d, s.normal, agaa_positionSpread), light.radius * light.radius);
     }
     uint map = light.shadowMap;
     if (map < AGAA_MAX_SHADOW_MAPS)
@@ -187,23 +186,32 @@ vec3 agaa_sumOfLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
     return sum;
 }
 
-#ifdef AGAA_BINDING_LIGHT_MASKS
-layout(std430, AGAA_BINDING_LIGHT_MASKS) readonly buffer agaa_LightMaskBlock {
-    uint words[];
-} agaa_lightMasks;
+#ifdef AGAA_FINDS_LIGHTS
+#include "common/tile_lights.glsl"
+void agaa_seekTile(uvec2 pixel) {}
+uint agaa_lightWord(uint i) { return agaa_tileLights[i]; }
+#elif defined(AGAA_BINDING_LIGHT_MASKS)
+layout(std430, AGAA_BINDING_LIGHT_MASKS) readonly buffer agaa_LightMaskBlock { uint words[]; }
+agaa_lightMasks;
 
 uint agaa_lightMask = 0u; // index of the first word of the event's tile
+void agaa_seekTile(uvec2 pixel) { agaa_lightMask = agaa_lightMaskAt(pixel / 8u); }
+uint agaa_lightWord(uint i) { return agaa_lightMasks.words[agaa_lightMask + i]; }
+#endif
 
+#if defined(AGAA_FINDS_LIGHTS) || defined(AGAA_BINDING_LIGHT_MASKS)
+#define AGAA_CULLS_LIGHTS
+// Chooses the lights of the events of this pixel.
 void agaa_lightPixel(uvec2 pixel) {
-    agaa_lightMask = agaa_lightMaskAt(pixel / 8u);
+    agaa_seekTile(pixel);
     if (AGAA_LIGHT_WORDS != 0u && AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_LIT) // which shows visibility without light, too
-        agaa_reachingShadows = agaa_lightMasks.words[agaa_lightMask + AGAA_LIGHT_WORDS];
+        agaa_reachingShadows = agaa_lightWord(AGAA_LIGHT_WORDS);
 }
 
 vec3 agaa_sumOfReachingLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
     uint word = 0u;
     do {
-        uint left = agaa_lightMasks.words[agaa_lightMask + word];
+        uint left = agaa_lightWord(word);
         agaa_count(AGAA_COUNT_LIGHTS, uint(bitCount(left)));
         for (; left != 0u; left &= left - 1u)
             sum += agaa_oneLight(s, position, toEye, 32u * word + uint(findLSB(left)));
@@ -218,7 +226,7 @@ vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
         vec3 all = s.diffuse + (agaa_leavesOut(AGAA_FACT_SPECULAR) ? vec3(0.0) : s.specular);
         sum += agaa_leavesOut(AGAA_FACT_AMBIENT) ? vec3(0.0) : agaa_frame.ambient * all;
     }
-#ifdef AGAA_BINDING_LIGHT_MASKS
+#ifdef AGAA_CULLS_LIGHTS
     if (AGAA_LIGHT_WORDS != 0u)
         return agaa_sumOfReachingLights(s, position, toEye, sum);
 #endif

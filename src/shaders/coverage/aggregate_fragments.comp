@@ -6,6 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_LISTS_QUALIFIER coherent
 #define AGAA_SHOWN uint // head of the list
+#define AGAA_FINDS_LIGHTS
 #define AGAA_VISIBILITY_WORDS 32u
 #if AGAA_SAMPLE_LANES
 #define AGAA_SAMPLE_WORDS AGAA_VISIBILITY_WORDS
@@ -32,6 +33,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "ids/fetched_means.glsl"
 #include "coverage/clustered_fragments.glsl"
 #include "coverage/listed_tiles.glsl"
+#include "coverage/list_box.glsl"
 #if AGAA_SAMPLE_LANES
 #include "coverage/lane_fragments.glsl"
 #else
@@ -203,6 +205,7 @@ agaa_Surface agaa_findSurfaces(uvec2 pixel, uint head, uint a, float weight, vec
 
 vec3 agaa_shadeEvent(uint lane, uint a) {
     uvec2 pixel = agaa_pixelOf(lane);
+    agaa_lightPixel(pixel);
     uint head = agaa_heads[lane];
     uvec4 mask = agaa_aggregateMask(lane, a);
     float weight = float(agaa_coverageCount(mask));
@@ -227,12 +230,15 @@ void main() {
     }
     uint head = 0u;
     uint shown = 0u;
+    agaa_beginTileLights();
     if (inside) {
         head = agaa_resolveList(pixel);
+        agaa_addToTile(agaa_boxOfList(pixel, head));
         shown = agaa_countShown(head, 1u);
         agaa_shownPrimitives = shown;
         agaa_count(AGAA_COUNT_PRIMITIVES, shown);
     }
+    agaa_findTileLights(); // agaa_shadeWork() has the barrier
     uint count = agaa_groupFragments(pixel, head, shown);
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     if (inside)

@@ -1,10 +1,11 @@
 // Shades each fragment of a pixel that shows at a sample, without merging. The includer defines agaa_Surface
 // agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle), which returns the material for the samples of the
-// mask, whose centroid is `middle`. Needs common/output.glsl and coverage/list_visibility.glsl.
-#if !defined(AGAA_OUTPUT_GLSL) || !defined(AGAA_LIST_VISIBILITY_GLSL)
-#error "shade_lists.glsl needs output.glsl and list_visibility.glsl."
+// mask, whose centroid is `middle`. Needs AGAA_FINDS_LIGHTS, common/output.glsl and coverage/list_visibility.glsl.
+#if !defined(AGAA_FINDS_LIGHTS) || !defined(AGAA_OUTPUT_GLSL) || !defined(AGAA_LIST_VISIBILITY_GLSL)
+#error "shade_lists.glsl needs AGAA_FINDS_LIGHTS, output.glsl and list_visibility.glsl."
 #endif
 #include "coverage/listed_tiles.glsl"
+#include "coverage/list_box.glsl"
 
 // Returns radiance, or agaa_shownOfEvent(), times the number of samples.
 vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
@@ -17,8 +18,9 @@ vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
     return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse) : agaa_lightSurface(s, position)) * weight;
 }
 
-void agaa_shadePixel(uvec2 pixel) {
-    uint head = agaa_resolveList(pixel);
+// head: of the resolved list.
+void agaa_shadePixel(uvec2 pixel, uint head) {
+    agaa_lightPixel(pixel);
     vec3 color = vec3(0.0);
     uint covered = 0u;
     uint events = 0u;
@@ -39,8 +41,8 @@ void agaa_shadePixel(uvec2 pixel) {
     agaa_count(AGAA_COUNT_ONCE, covered);
     agaa_count(AGAA_COUNT_AGGREGATES, events);
     agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
-    bool isWhole = AGAA_NORMALISES != 0u && covered != 0u &&
-                   agaa_fragments.words[agaa_boundOf(pixel, agaa_frame.size)] != 0u;
+    bool isWhole =
+        AGAA_NORMALISES != 0u && covered != 0u && agaa_fragments.words[agaa_boundOf(pixel, agaa_frame.size)] != 0u;
     if (isWhole) {
         color *= float(AGAA_SAMPLES) / float(covered);
         covered = AGAA_SAMPLES;
@@ -57,8 +59,16 @@ void main() {
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool isInside = all(lessThan(pixel, agaa_frame.size));
     bool isListed = agaa_isTileListed();
+    uint head = 0u;
+    agaa_beginTileLights();
+    if (isInside && isListed) {
+        head = agaa_resolveList(pixel);
+        agaa_addToTile(agaa_boxOfList(pixel, head));
+    }
+    agaa_findTileLights();
+    barrier();
     if (isInside && isListed)
-        agaa_shadePixel(pixel);
+        agaa_shadePixel(pixel, head);
     else if (isInside)
         agaa_awaitDraw(pixel);
     agaa_countEnd();

@@ -2,6 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_REPRESENTED 1
+#define AGAA_FINDS_LIGHTS
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
@@ -22,9 +23,8 @@ uint agaa_readSurfaces(uint word) {
     return texelFetch(agaa_surfaces, ivec3(agaa_surfacesOf, word >> 2u), 0)[word & 3u];
 }
 #else
-layout(std430, AGAA_BINDING_SURFACES) readonly buffer agaa_SurfaceBlock {
-    uint words[];
-} agaa_surfaces;
+layout(std430, AGAA_BINDING_SURFACES) readonly buffer agaa_SurfaceBlock { uint words[]; }
+agaa_surfaces;
 void agaa_seekSurfaces(uvec2 pixel) {}
 uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
 #endif
@@ -77,16 +77,23 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_seekSurfaces(pixel);
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     uint first = gl_LocalInvocationIndex * AGAA_AGGREGATES;
+    agaa_Box box = agaa_emptyBox();
     for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {
         uint base = agaa_surfaceBase(pixel, a);
         uvec4 mask = agaa_loadMask(base);
-        if (agaa_coverageCount(mask) != 0u)
-            mask &= ~agaa_hiddenSamples(pixel, a, mask, agaa_loadPlane(base, mask));
+        uint count = 0u;
+        if (agaa_coverageCount(mask) != 0u) {
+            agaa_DepthPlane plane = agaa_loadPlane(base, mask);
+            mask &= ~agaa_hiddenSamples(pixel, a, mask, plane);
+            count = agaa_coverageCount(mask);
+            if (count != 0u)
+                agaa_addToBox(box, agaa_viewPositionOf(pixel, plane, agaa_coverageMiddle(mask, AGAA_SAMPLES)));
+        }
         agaa_shown[first + a] = mask;
-        uint count = agaa_coverageCount(mask);
         work.events[0] |= count != 0u ? 1u << a : 0u;
         work.covered += count;
     }
+    agaa_addToTile(box);
     agaa_countEvents(agaa_eventsOf(work));
     agaa_count(AGAA_COUNT_VISIBLE, work.covered);
     agaa_count(AGAA_COUNT_ONCE, work.covered);
@@ -100,6 +107,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 
 vec3 agaa_shadeEvent(uint lane, uint a) {
     uvec2 pixel = agaa_pixelOf(lane);
+    agaa_lightPixel(pixel);
     agaa_seekSurfaces(pixel);
     uint base = agaa_surfaceBase(pixel, a);
     uvec4 mask = agaa_shown[lane * AGAA_AGGREGATES + a];

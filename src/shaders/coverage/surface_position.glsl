@@ -10,10 +10,14 @@
 #include "coverage/covered_surface.glsl"
 #include "coverage/surface_spread.glsl"
 
-// Returns the position of a depth plane in shading space. offset: from the pixel's centre, in pixels.
-vec3 agaa_surfacePosition(uvec2 pixel, agaa_DepthPlane plane, vec2 offset) {
+// Returns the position of a depth plane in view space. offset: from the pixel's centre, in pixels.
+vec3 agaa_viewPositionOf(uvec2 pixel, agaa_DepthPlane plane, vec2 offset) {
     float depth = agaa_deviceDepth(agaa_depthAt(plane, offset));
-    return agaa_toShadingSpace(agaa_viewPositionAt(pixel, offset + 0.5, depth));
+    return agaa_viewPositionAt(pixel, offset + 0.5, depth);
+}
+
+vec3 agaa_surfacePosition(uvec2 pixel, agaa_DepthPlane plane, vec2 offset) {
+    return agaa_toShadingSpace(agaa_viewPositionOf(pixel, plane, offset));
 }
 
 // Returns the depth plane that shows at a sample. Includers that define the type AGAA_SHOWN define this function, too.

@@ -53,6 +53,7 @@ void buildNative(PlanBuilder& b) {
 // One compute pass clusters and shades the fragments that are visible at coverage samples.
 void shadeFromFragments(PlanBuilder& b) {
     const FragmentLists lists = drawFragments(b, AGAA_KEPT_PLANE_WORDS + 1, drawSegment(b.view())); // and the aggregate
+    b.cullLightsWhereShaded();
     Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_fragments", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     lists.bind(b, shade);

@@ -72,6 +72,7 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
 void buildExact(PlanBuilder& b) {
     const Aggregation surfaces = keptSurfaces(b);
     const FragmentLists lists = drawScene(b, surfaces, AGAA_KEPT_PLANE_WORDS, drawSegment(b.view()));
+    b.cullLightsWhereShaded();
     Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING,
                             carriesMaterials(b.view()) ? "shade_carried" : "shade_fragments", AGAA_SEGMENT_SHADING);
     readLists(b, lists, surfaces, shade);
@@ -155,6 +156,7 @@ void build(PlanBuilder& b) {
     const ResourceId kept = mergesInTargets(b.view()) ? mergeInTargets(b, surfaces)
                             : mergesInOrder(b.view()) ? mergeInBuffer(b, surfaces)
                                                       : mergeLists(b, surfaces);
+    b.cullLightsWhereShaded();
     Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING,
                             {{Switch::InTargets, mergesInTargets(b.view())}});
     b.bindCommon(shade);
