@@ -20,15 +20,9 @@ std::string SweepRow::name() const {
     return text.str();
 }
 
-constexpr float fragmentsOfDensestScene = 48; // per pixel
-
-// No row loses fragments: merged lists are drawn in batches where a scene is dense, and exact lists have room for all.
 static void applyCoverage(const std::string& preset, TechniqueConfig& config) {
-    if (preset == "exact") {
+    if (preset == "exact")
         config.coverage.flags = AGAA_COVERAGE_EXACT;
-        config.coverage.fragmentsPerPixel = fragmentsOfDensestScene;
-        return;
-    }
     if (preset == "paper")
         config.coverage.merge = AGAA_MERGE_PAPER;
     if (preset == "lean")
@@ -47,8 +41,6 @@ void SweepRow::apply(TechniqueConfig& config) const {
         config.adaptive.flags |= preset == "device" ? AGAA_ADAPTIVE_DEVICE_PATTERN : 0;
     else if (!preset.empty() && config.applyPreset(preset.c_str()) != AGAA_OK)
         throw std::invalid_argument("There is no preset \"" + preset + "\".");
-    if (generationTier == AGAA_TIER_FRAGMENTS)
-        config.coverage.fragmentsPerPixel = fragmentsOfDensestScene;
 }
 
 std::vector<SweepRow> sweepRows(bool quick) {
