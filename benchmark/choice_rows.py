@@ -3,7 +3,7 @@ import dataclasses
 
 from runs import ROOT
 
-SWEEP = ROOT / "docs/results/lavapipe/choices/results.json"  # of the table
+SWEEP = ROOT / "docs/results/lavapipe/sweep/results.json"
 
 # The stages of passes that draw the scene; all other stages shade.
 GEOMETRY = ("prepass", "definition", "generation")
@@ -12,7 +12,7 @@ GEOMETRY = ("prepass", "definition", "generation")
 PRESETS_LEFT_OUT = {"paper", "lean", "exact", "device"}
 # A still image does not show its errors in motion, and it needs motion vectors.
 TECHNIQUES_LEFT_OUT = {"taa"}
-TIERS_LEFT_OUT = {"fragments", "material-lists"}
+TIERS_LEFT_OUT = {"material-lists"}
 
 
 @dataclasses.dataclass(frozen=True)

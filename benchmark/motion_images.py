@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 from command_line import tool_parser
-from motion import MOTIONS, ROWS
+from motion import ROWS, chosen
 from runs import ask_json, find_scenes, view_options
 
 SHOWN = ["single", "taa", "agaa 8"]
@@ -59,14 +59,15 @@ def animate(arguments, pil, name, source, camera, motion, backend, first):
 
 
 def main():
-    parser = tool_parser(__doc__, out="motion", size="320x180", backends=True, frames=16)
+    parser = tool_parser(__doc__, out="motion", size="320x180", scenes=True, backends=True, frames=16)
+    parser.add_argument("--motion", action="append", help="only this motion; repeatable")
     parser.add_argument("--spp", default=16, type=int, help="samples per pixel of the reference")
     parser.add_argument("--quality", default=60, type=int, help="of WebP, 1 to 100")
     arguments = parser.parse_args()
     pil = require_pil()
     arguments.out.mkdir(parents=True, exist_ok=True)
     known = {name: (source, camera) for name, source, camera in find_scenes("motion_images")}
-    for scene, motion in MOTIONS:
+    for scene, motion in chosen(arguments.scene, arguments.motion):
         source, camera = known.get(scene, (scene, ""))
         for backend in arguments.backend or ["vk"]:
             animate(arguments, pil, scene, source, camera, motion, backend, 12)

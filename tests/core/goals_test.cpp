@@ -19,8 +19,10 @@ using namespace agaa::test;
 
 namespace {
 
-bool isBruteForce(const AgaaChoice& choice) {
-    return std::strcmp(choice.technique, "ssaa") == 0 || std::strcmp(choice.technique, "simple_complex") == 0;
+// Returns the shading events per covered pixel in a usual scene.
+double eventsOf(const AgaaChoice& choice) {
+    const ChoiceRow* row = rowOf(choice);
+    return row->events + row->eventsByComplexity * usualTerms(AGAA_SCENE_FACTS_INIT).complexity;
 }
 
 // ---- the table -----------------------------------------------------------------------------------
@@ -30,7 +32,8 @@ TEST(GoalTable, RowsAreSettingsOfTechniques) {
     for (const ChoiceRow& row : choiceRows()) {
         const Technique* technique = findTechnique(techniques(), row.technique);
         ASSERT_TRUE(technique) << row.technique;
-        EXPECT_LE(row.samples, technique->maxSamples);
+        const bool coversSamples = row.tier == AGAA_TIER_FRAGMENT_LISTS || row.tier == AGAA_TIER_FRAGMENTS;
+        EXPECT_LE(row.samples, coversSamples ? 128u : technique->maxSamples);
         EXPECT_EQ(row.aggregates > 0, technique->maxAggregates > 0);
         EXPECT_GT(row.geometryRatio + row.geometryTime, 0);
         for (const float share : row.errorShares)
@@ -127,11 +130,13 @@ TEST(Goals, BytesAreThoseOfThePlanner) {
 TEST(Goals, ALimitOfTimeIsKeptByThePrediction) {
     Host host;
     host.goal.prefer = AGAA_PREFER_ERROR;
+    const FrameTimes single = predictTimes(choiceRows()[0], usualTerms(host.facts), 1280 * 720);
     float last = 0;
-    for (const float milliseconds : {5000.0f, 2000.0f, 1000.0f, 600.0f, 500.0f}) {
-        host.goal.maxMilliseconds = milliseconds;
+    for (const double factor : {10.0, 4.0, 2.0, 1.5, 1.01}) {
+        host.goal.maxMilliseconds = float(factor * (single.geometry + single.shading));
         const AgaaChoice choice = host.fresh();
-        EXPECT_LE(choice.milliseconds, milliseconds) << choice.reason;
+        EXPECT_EQ(choice.missedLimits, 0u) << choice.reason;
+        EXPECT_LE(choice.milliseconds, host.goal.maxMilliseconds) << choice.reason;
         EXPECT_GE(choice.errorShare, last);
         last = choice.errorShare;
     }
@@ -155,31 +160,44 @@ TEST(Goals, WhatCannotBeMetIsNamed) {
 
 // ---- lights --------------------------------------------------------------------------------------
 
-TEST(Goals, FewLightsPreferBruteForceAndManyDoNot) {
+TEST(Goals, MoreLightsChooseFewerEvents) {
     Host host;
-    host.goal.maxErrorShare = 0.14f; // that n=8 has in 8 of 10 scenes
-    const AgaaObservation one = frameOfSingle(1), many = frameOfSingle(64);
-    EXPECT_TRUE(isBruteForce(host.fresh(&one))) << host.choice.reason;
-    EXPECT_STREQ(host.fresh(&many).technique, "agaa") << host.choice.reason;
+    std::set<double> seen;
+    for (const float limit : {0.3f, 0.2f, 0.14f, 0.06f}) {
+        host.goal.maxErrorShare = limit;
+        double last = 1e9;
+        for (const float lights : {1.0f, 8.0f, 64.0f, 1024.0f}) {
+            const AgaaObservation frame = frameOfSingle(lights);
+            const double events = eventsOf(host.fresh(&frame));
+            EXPECT_LE(events, last) << host.choice.reason;
+            last = events;
+            seen.insert(events);
+        }
+    }
+    EXPECT_GE(seen.size(), 5u);
 }
 
 // An engine with one light measured 98 ms with "ssaa", 113 ms with "agaa" c=2 and 73 ms with its preset "fast", from a
-// G-buffer.
+// G-buffer. The first two determine the share of the geometry in its frames, which the third follows from.
 TEST(Goals, OneLightHasTheOrderThatAnEngineMeasured) {
-    const auto time = [](const char* technique, uint32_t aggregates, const char* preset, AgaaTier tier) {
+    const auto times = [](const char* technique, uint32_t aggregates, const char* preset, AgaaTier tier) {
         for (const ChoiceRow& row : choiceRows())
             if (std::strcmp(row.technique, technique) == 0 && row.samples == 8 && row.aggregates == aggregates &&
                 std::strcmp(row.preset, preset) == 0 && row.tier == tier) {
                 SceneTerms terms = usualTerms(AGAA_SCENE_FACTS_INIT);
                 terms.lights = 1;
-                const FrameTimes times = predictTimes(row, terms, 1);
-                return times.geometry + times.shading;
+                return predictTimes(row, terms, 1);
             }
         throw std::logic_error("no row");
     };
-    const double bruteForce = time("ssaa", 0, "", AGAA_TIER_AUTO);
-    EXPECT_NEAR(time("agaa", 2, "", AGAA_TIER_GBUFFER) / bruteForce, 113.0 / 98, 0.15);
-    EXPECT_NEAR(time("agaa", 1, "fast", AGAA_TIER_GBUFFER) / bruteForce, 73.0 / 98, 0.15);
+    const FrameTimes ssaa = times("ssaa", 0, "", AGAA_TIER_AUTO), agaa = times("agaa", 2, "", AGAA_TIER_GBUFFER),
+                     fast = times("agaa", 1, "fast", AGAA_TIER_GBUFFER);
+    // scale * agaa.geometry + agaa.shading = 113 / 98 * (scale * ssaa.geometry + ssaa.shading)
+    const double measured = 113.0 / 98;
+    const double scale = (agaa.shading - measured * ssaa.shading) / (measured * ssaa.geometry - agaa.geometry);
+    EXPECT_GT(scale, 0);
+    std::printf("%.2f times the geometry of the table's scenes\n", scale);
+    EXPECT_NEAR((scale * fast.geometry + fast.shading) / (scale * ssaa.geometry + ssaa.shading), 73.0 / 98, 0.15);
 }
 
 // ---- what a host allows --------------------------------------------------------------------------
@@ -273,7 +291,8 @@ TEST(Goals, TimesOfTheDeviceScalePredictions) {
     EXPECT_NEAR(device.milliseconds, table.milliseconds / 100, 1e-3f * table.milliseconds);
 }
 
-// A scene with its own times of all settings: the table's, off by up to 30 %.
+// A scene with its own times of all settings: the table's, off by up to 30 %, on a device that is as much faster as
+// lets "single" take 7 ms.
 class Device {
 public:
     explicit Device(uint32_t seed, double noise) : random_(seed), noise_(noise) {
@@ -293,7 +312,7 @@ public:
         o.samples = choice.samples;
         o.aggregates = choice.aggregates;
         o.generationTier = choice.generationTier;
-        const ChoiceRow& row = rowOf(choice);
+        const ChoiceRow& row = *rowOf(choice);
         o.eventsPerPixel = float(0.6 * (row.events + row.eventsByComplexity * 0.4) * noise(random_));
         o.lightsPerEvent = float(6 * row.lightRatio * noise(random_));
         o.geometryMilliseconds = float(times(choice).geometry * noise(random_));
@@ -302,19 +321,13 @@ public:
     }
 
 private:
-    static const ChoiceRow& rowOf(const AgaaChoice& c) {
-        for (const ChoiceRow& row : choiceRows())
-            if (std::strcmp(row.technique, c.technique) == 0 && row.samples == c.samples &&
-                row.aggregates == c.aggregates && std::string(row.preset) == (c.preset ? c.preset : "") &&
-                uint32_t(row.tier) == c.generationTier)
-                return row;
-        throw std::logic_error("no row");
-    }
     FrameTimes times(const AgaaChoice& choice) const {
-        const ChoiceRow& row = rowOf(choice);
+        const ChoiceRow& row = *rowOf(choice);
         const auto i = size_t(&row - choiceRows().data());
         FrameTimes times = predictTimes(row, {0.6, 0.4, 6, 1}, 1280 * 720);
-        return {times.geometry * errors_[2 * i] / 50, times.shading * errors_[2 * i + 1] / 50};
+        const FrameTimes single = predictTimes(choiceRows()[0], {0.6, 0.4, 6, 1}, 1280 * 720);
+        const double scale = 7 / (single.geometry + single.shading);
+        return {times.geometry * errors_[2 * i] * scale, times.shading * errors_[2 * i + 1] * scale};
     }
 
     std::mt19937 random_;
@@ -335,16 +348,19 @@ TEST(Goals, ChoicesSettleUnderNoise) {
                 host.goal.maxErrorShare = preference == AGAA_PREFER_TIME ? 0.3f : 0.0f;
                 ASSERT_EQ(host.choose(), AGAA_OK);
                 int late = 0, own = 0;
+                std::set<const ChoiceRow*> tried;
                 for (int frame = 0; frame < 600; ++frame) {
                     const AgaaObservation o = device.frame(host.choice);
                     ASSERT_EQ(host.choose(&o), AGAA_OK) << host.message;
                     own += int(host.choice.hasChanged);
+                    tried.insert(rowOf(host.choice));
                     late += frame >= 400 && host.choice.hasChanged;
                 }
                 ++runs;
                 changes += own;
                 lateRuns += late > 0;
-                EXPECT_LE(own, 6) << "seed " << seed << ", limit " << limit << ": " << host.choice.reason;
+                EXPECT_LE(own, 10) << "seed " << seed << ", limit " << limit << ": " << host.choice.reason;
+                EXPECT_LE(own, 2 * int(tried.size())) << "choices alternate: " << host.choice.reason;
                 EXPECT_LE(late, 1) << "seed " << seed << ", limit " << limit << ": " << host.choice.reason;
                 if (!host.choice.missedLimits) {
                     EXPECT_LE(device.milliseconds(host.choice), 1.15 * limit) << host.choice.reason;
@@ -383,6 +399,7 @@ TEST(Goals, ACurrentChoiceStaysWithinTheMargin) {
 
 TEST(Goals, ApplyingAChoiceMakesItsView) {
     Host host;
+    host.view.width = 640; // all settings fit the device
     for (const ChoiceRow& row : choiceRows()) {
         AgaaChoice choice = AGAA_CHOICE_INIT;
         choice.technique = row.technique;

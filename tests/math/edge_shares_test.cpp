@@ -48,6 +48,35 @@ TEST(EdgeShares, FollowTheLineOfAMovedImage) {
     EXPECT_EQ(math_d::agaa_edgeShares(2, 3, 0u, 0u, 0.25), glm::dvec2(0));
 }
 
+// An end without a crossing edge, and two ends that cross to one side: lines end on the boundary in the middle.
+TEST(EdgeShares, LinesThatEndInTheMiddleFollowAMovedImage) {
+    for (const double moved : {-0.4, 0.0, 0.25, 1.0})
+        for (int length = 1; length <= 9; ++length)
+            for (int before = 0; before < length; ++before) {
+                const auto shares = [&](uint32_t first, uint32_t last) {
+                    return math_d::agaa_edgeShares(before, length - 1 - before, first, last, moved);
+                };
+                const auto areasOfEnds = [&](double from, double to) {
+                    glm::dvec2 areas(0);
+                    constexpr int steps = 20000;
+                    for (int i = 0; i < steps; ++i) {
+                        const double at = 2 * (before + (i + 0.5) / steps) / length - 1; // -1, 1: the ends
+                        const double height = at < 0 ? -at * from : at * to;
+                        areas += glm::dvec2(std::max(-height, 0.0), std::max(height, 0.0)) / double(steps);
+                    }
+                    return areas;
+                };
+                const auto expectNear = [&](glm::dvec2 found, glm::dvec2 expected) {
+                    EXPECT_NEAR(found.x, expected.x, 1e-6) << moved << ' ' << length << ' ' << before;
+                    EXPECT_NEAR(found.y, expected.y, 1e-6) << moved << ' ' << length << ' ' << before;
+                };
+                expectNear(shares(agaa_crossesAcross, 0u), areasOfEnds(0.5 + moved, 0));
+                expectNear(shares(0u, agaa_crossesHere), areasOfEnds(0, -0.5 + moved));
+                expectNear(shares(agaa_crossesHere, agaa_crossesHere), areasOfEnds(-0.5 + moved, -0.5 + moved));
+                expectNear(shares(agaa_crossesAcross, agaa_crossesAcross), areasOfEnds(0.5 + moved, 0.5 + moved));
+            }
+}
+
 TEST(EdgeShares, EndsWithoutACrossingEdgeStayOnTheBoundary) {
     for (int length = 1; length <= 9; ++length) {
         double sum = 0;
@@ -64,20 +93,21 @@ TEST(EdgeShares, EndsWithoutACrossingEdgeStayOnTheBoundary) {
 
 // An edge and its mirror image have the same shares.
 TEST(EdgeShares, AreSymmetric) {
-    for (uint32_t first = 0; first < 4; ++first)
-        for (uint32_t last = 0; last < 4; ++last)
-            for (int before = 0; before < 7; ++before)
-                for (int after = 0; after < 7; ++after) {
-                    const glm::dvec2 a = math_d::agaa_edgeShares(before, after, first, last, 0);
-                    const glm::dvec2 b = math_d::agaa_edgeShares(after, before, last, first, 0);
-                    EXPECT_NEAR(a.x, b.x, 1e-12);
-                    EXPECT_NEAR(a.y, b.y, 1e-12);
-                    EXPECT_LE(std::max(a.x, a.y), 0.5);
-                    EXPECT_GE(std::min(a.x, a.y), 0.0);
-                    const auto f = math_f::agaa_edgeShares(float(before), float(after), first, last, 0.0f);
-                    EXPECT_NEAR(double(f.x), a.x, 1e-7);
-                    EXPECT_NEAR(double(f.y), a.y, 1e-7);
-                }
+    for (const double moved : {-1.0, 0.0, 0.25, 0.75})
+        for (uint32_t first = 0; first < 4; ++first)
+            for (uint32_t last = 0; last < 4; ++last)
+                for (int before = 0; before < 7; ++before)
+                    for (int after = 0; after < 7; ++after) {
+                        const glm::dvec2 a = math_d::agaa_edgeShares(before, after, first, last, moved);
+                        const glm::dvec2 b = math_d::agaa_edgeShares(after, before, last, first, moved);
+                        EXPECT_NEAR(a.x, b.x, 1e-12);
+                        EXPECT_NEAR(a.y, b.y, 1e-12);
+                        EXPECT_LE(std::max(a.x, a.y), 0.5 + std::abs(moved));
+                        EXPECT_GE(std::min(a.x, a.y), 0.0);
+                        const auto f = math_f::agaa_edgeShares(float(before), float(after), first, last, float(moved));
+                        EXPECT_NEAR(double(f.x), a.x, 5e-7);
+                        EXPECT_NEAR(double(f.y), a.y, 5e-7);
+                    }
 }
 
 // A corner whose sides are long keeps a quarter of its blur, at the nearer end.

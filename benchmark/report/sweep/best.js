@@ -7,13 +7,12 @@ const budgetOptions = () => [
 
 const singleOf = (scene) => rowsOf(scene).find((row) => row.technique === "single" && costOf(row) === 1);
 
-// Returns the index of the choice of least error whose frame takes no longer, or -1. The history of "taa" converges,
-// because the camera of a sweep stands still.
+// Returns the index of the choice of least error whose frame takes no longer, or -1.
 function bestWithin(scene, choices, budget) {
     const single = singleOf(scene);
     const limit = budget === "any" ? Infinity : Number(budget) * ((single && frameMs(single)) ?? NaN);
     const isWithin = (row) => frameMs(row) !== null && frameMs(row) <= limit && errorOf(row, METRICS.mseTm) !== null;
-    const within = choices.filter(({row}) => row && row.technique !== "taa" && isWithin(row));
+    const within = choices.filter(({row}) => row && isComparable(row) && isWithin(row));
     const best = least(within, ({row}) => errorOf(row, METRICS.mseTm));
     return best ? choices.indexOf(best) : -1;
 }

@@ -9,8 +9,13 @@ const STYLES = {
     msaa: {light: "#4aa3d8", dark: "#9bdcff", point: "crossRot"},
     fxaa: {light: "#b85f92", dark: "#e39cc5", point: "star"},
     single: {light: "#c98a00", dark: "#f3c04b", point: "rectRounded"},
+    smaa: {light: "#9c3d77", dark: "#f0a8d4", point: "cross"},
+    taa: {light: "#8c7a00", dark: "#f0e442", point: "dash"},
+    visibility: {light: "#006a8e", dark: "#7cc4e8", point: "line"},
+    adaptive: {light: "#6a4fb3", dark: "#b7a1f0", point: "triangle"},
+    dcaa: {light: "#a12c1e", dark: "#ff9d8f", point: "rectRot"},
 };
-const SPARE = [{light: "#8c7a00", dark: "#f0e442", point: "cross"}, {light: "#6a4fb3", dark: "#b7a1f0", point: "dash"}];
+const SPARE = [{light: "#5b6b2f", dark: "#c5d68c", point: "cross"}, {light: "#4a5560", dark: "#a9b4bf", point: "dash"}];
 const STAGE_COLOURS = {
     prepass: ["#8a939e", "#7b848f"], shadowmap: ["#6b4f3a", "#a98a73"], definition: ["#008a65", "#1fbd92"],
     generation: ["#0072b2", "#4d9fe0"], shading: ["#d98200", "#f0a636"], post: ["#b85f92", "#e39cc5"],

@@ -12,10 +12,12 @@ function paretoFront(points) {
 
 const least = (rows, of) => rows.reduce((best, row) => best === null || of(row) < of(best) ? row : best, null);
 const timed = (rows, metric) => rows.filter((row) => frameMs(row) > 0 && errorOf(row, metric) !== null);
+// The history of "taa" converges, because the camera of a sweep stands still: its errors are not those of a moving camera.
+const isComparable = (row) => row.technique !== "taa";
 
 // For the frame time of each ssaa row, returns the row of least error of each technique that takes no longer.
 function equalTime(rows, metric) {
-    const usable = timed(rows, metric);
+    const usable = timed(rows, metric).filter(isComparable);
     return usable.filter((row) => row.technique === "ssaa")
         .sort((a, b) => frameMs(a) - frameMs(b))
         .map((budget) => {
@@ -31,7 +33,7 @@ function equalTime(rows, metric) {
 // For the error of each ssaa and simple_complex row, returns the quickest row of each technique with no larger error, and
 // the quickest row whose error is not different if that one is quicker.
 function equalQuality(rows, metric, gap) {
-    const usable = timed(rows, metric);
+    const usable = timed(rows, metric).filter(isComparable);
     return usable.filter((row) => row.technique === "ssaa" || row.technique === "simple_complex")
         .sort((a, b) => errorOf(b, metric) - errorOf(a, metric))
         .map((target) => {

@@ -24,7 +24,7 @@ function showMotion() {
     }
     const parts = [];
     if (finite(view.image) !== null)
-        parts.push(element("img", {className: "motion", src: imageUrl(view.image), alt: `${view.name}, ${view.motion}: reference, single, taa, agaa`}));
+        parts.push(element("img", {className: "motion", src: imageUrl(view.image), alt: `${view.name ?? MISSING}, ${view.motion ?? MISSING}: reference, single, taa, agaa`}));
     parts.push(element("p", {className: "hint", textContent: `The figures: ${view.device ?? MISSING}, ${motions.size ?? MISSING} pixels, ${view.frames ?? MISSING} `
         + `frames, references of ${view.spp ?? MISSING} samples, whose own error is ${significant(ratio(view.referenceMseTm, view.rows?.[0]?.error), 2)} of that of single.`}));
     fill("motion", ...parts, motionTable(view));
@@ -32,7 +32,7 @@ function showMotion() {
 
 function startMotion() {
     const api = (view) => view.backend === "gl" ? "OpenGL" : "Vulkan";
-    setOptions(byId("motion-view"), motionViews().map((view, i) => ({value: String(i), text: `${view.name}, ${view.motion}, ${api(view)}`})), "0");
+    setOptions(byId("motion-view"), motionViews().map((view, i) => ({value: String(i), text: `${view.name ?? MISSING}, ${view.motion ?? MISSING}, ${api(view)}`})), "0");
     byId("motion-view").addEventListener("change", showMotion);
     showMotion();
 }

@@ -11,7 +11,7 @@ function showEqualTime(scene, rows, selected) {
     }
     const techniques = inOrder(budgets.flatMap(({best}) => [...best.keys()]));
     const table = tableOf(`Least ${metric.name} of each technique within the frame time of ssaa. ★ is the least of all; `
-        + `“${noDifference}” is too near to it to tell apart.`,
+        + `“${noDifference}” is too near to it to tell apart. taa is left out: its history converges before a still camera.`,
     ["<no longer than", "ms", ...techniques], budgets.map(({budget, best, winner}) => [
         label(budget), msText(frameMs(budget)), ...techniques.map((technique) => {
             const row = best.get(technique);

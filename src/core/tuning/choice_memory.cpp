@@ -33,7 +33,6 @@ FrameTimes ratioOf(const FrameTimes& observed, const FrameTimes& predicted) {
 } // namespace
 
 ChoiceMemory::ChoiceMemory(const AgaaChoice& choice, const Predictions& predictions) : predictions_(predictions) {
-    require(choiceRows().size() <= maxRows, AGAA_ERROR_INTERNAL, "the table of choices has too many rows.");
     for (const float number : choice.memory)
         checkRange(double(number), 0.0, 1e12, "AgaaChoice::memory");
     std::memcpy(&numbers_, choice.memory, sizeof numbers_);

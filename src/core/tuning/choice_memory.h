@@ -24,7 +24,6 @@ public:
     double milliseconds(const ChoiceRow& row, const AgaaSceneFacts& facts, uint64_t pixels) const;
 
 private:
-    static constexpr size_t maxRows = 31;
     // Times relative to the predicted ones, which are in proportion to the number of pixels. Shading is, too. Geometry
     // is the sum of vertex work, which does not depend on it, and of work in proportion to it: a line over pixels.
     struct Row {
@@ -42,7 +41,7 @@ private:
         float timesNumber;                           // of the predictions that the times are relative to
         float growth, growthPixels; // as Row::growth, of the last row that ran at different sizes, and its `pixels`
         float unused[2];
-        Row rows[maxRows];
+        Row rows[maxChoiceRows];
     };
     static_assert(sizeof(Numbers) == sizeof AgaaChoice::memory);
 

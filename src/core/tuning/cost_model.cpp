@@ -39,6 +39,7 @@ constexpr ChoiceRow makeRow(const char* technique, uint32_t samples, uint32_t ag
 constexpr ChoiceRow rows[] = {
 #include "core/tuning/choice_table.inc"
 };
+static_assert(std::size(rows) <= maxChoiceRows);
 
 float quantile(std::array<float, tableScenes> values, float share) {
     std::sort(values.begin(), values.end());

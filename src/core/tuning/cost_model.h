@@ -10,6 +10,7 @@
 namespace agaa {
 
 inline constexpr size_t tableScenes = 10;
+inline constexpr size_t maxChoiceRows = 31; // that AgaaChoice::memory has room for
 
 // Settings that agaaChooseSettings chooses among. choice_table.inc describes the numbers.
 struct ChoiceRow {
