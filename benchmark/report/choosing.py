@@ -7,12 +7,14 @@ docs/sweep.md describes RESULTS.json. Errors that differ by less than ten times 
 equal. The most accurate row is the fastest of such rows.
 """
 
+import json
 import sys
 from collections import Counter
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import choosing_adaptive
+import choosing_gpu
 from choosing_presets import aim_sentences, preset_figures, preset_rows
 from choosing_speed import DENSE, speed_rows, speed_sentences
 from command_line import write_document
@@ -160,6 +162,8 @@ def document(sweeps):
             lines += ["* `taa` answers none of these questions: the camera of a sweep stands still, so that its history "
                       "converges. `benchmark/motion.py` measures it beside the others in moving scenes."]
         lines += ["", "### In short", ""] + how_often(scenes)
+        gpus = [json.loads(page.with_suffix(".json").read_text()) for page in gpu_pages()]
+        lines += choosing_gpu.lines(scenes, backend["device"], results["size"], gpus)
         for title, asked, limits, pick in QUESTIONS:
             lines += [f"### {title}", ""] + by_scene(scenes, asked, limits, pick)
         if presets := preset_figures(scenes):

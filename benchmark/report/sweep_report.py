@@ -13,6 +13,7 @@ import math
 import sys
 from pathlib import Path
 
+from gpu_frames import gpu_frames
 from sweep_images import take_images
 
 HERE = Path(__file__).resolve().parent
@@ -22,7 +23,7 @@ CHART_JS = ["/usr/share/javascript/chart.js/chart.min.js",
 SLIDER = HERE / "vendor" / "img-comparison-slider-8.0.7.min.js"
 # Later files use names of earlier ones, so that the order matters.
 SCRIPTS = ["data.js", "maths.js", "dom.js", "charts.js", "pareto.js", "bars.js", "tables.js",
-           "papers.js", "onepass.js", "claims.js", "best.js", "compare.js", "motion.js", "main.js"]
+           "papers.js", "onepass.js", "claims.js", "best.js", "compare.js", "motion.js", "gpu.js", "main.js"]
 
 
 def find_chart_js(chosen):
@@ -69,7 +70,7 @@ def read_motions(folder):
     return motions
 
 
-def page(results, folder, chart_js, most_bytes, names=(), motions=None):
+def page(results, folder, chart_js, most_bytes, names=(), motions=None, gpus=()):
     def read(name):
         return (HERE / name).read_text(encoding="utf-8")
 
@@ -86,6 +87,7 @@ def page(results, folder, chart_js, most_bytes, names=(), motions=None):
         "STYLE": read("vendor/img-comparison-slider-8.0.7.css") + read("sweep/sweep.css"),
         "RESULTS": as_script(results),
         "MOTIONS": as_script(motions),
+        "GPUS": as_script(finite(list(gpus))),
         "PAPERS": as_script(json.loads(read("sweep/papers.json"))),
         "IMAGES": "\n".join(f'<script type="text/plain" id="image-{i}">{text}</script>'
                             for i, text in enumerate(images)),
@@ -109,6 +111,8 @@ def main(arguments):
                         help="only this image of each scene, such as reference or agaa-8-2; repeatable")
     parser.add_argument("--motion", type=Path, metavar="FOLDER",
                         help="results of benchmark/motion.py, and of motion_images.py if they are there")
+    parser.add_argument("--gpu", action="append", default=[], type=Path, metavar="FILE",
+                        help="passes.json of benchmark/gpu_run.py, whose frames stand beside the sweep's; repeatable")
     options = parser.parse_args(arguments)
     try:
         chart_js = find_chart_js(options.chart_js)
@@ -130,9 +134,15 @@ def main(arguments):
         print(f"Could not read {options.motion}, which is to be a folder of benchmark/motion.py: {error}", file=sys.stderr)
         return 1
     try:
+        gpus = [gpu_frames(json.loads(path.read_text(encoding="utf-8"))) for path in options.gpu]
+    except (OSError, KeyError, IndexError, TypeError, AttributeError, ValueError) as error:
+        print(f"Could not read {', '.join(map(str, options.gpu))}: passes.json of benchmark/gpu_run.py is wanted: {error}",
+              file=sys.stderr)
+        return 1
+    try:
         options.out.parent.mkdir(parents=True, exist_ok=True)
         options.out.write_text(page(results, options.results.parent, chart_js,
-                                    int(options.image_mib * (1 << 20)), options.image, motions), encoding="utf-8")
+                                    int(options.image_mib * (1 << 20)), options.image, motions, gpus), encoding="utf-8")
     except OSError as error:
         print(f"Could not write {options.out}: {error}", file=sys.stderr)
         return 1

@@ -177,6 +177,18 @@ def write_motion(folder):
     return folder
 
 
+def gpu_row(scene, technique, samples, aggregates, tier, *ms, backend="vk", preset="", way=""):
+    """A row of the results of benchmark/gpu_run.py, with passes of these times."""
+    return {"backend": backend, "device": "a GPU", "scene": scene, "size": "1920x1080", "technique": technique, "samples": samples,
+            "aggregates": aggregates, "preset": preset, "way": way, "tiers": {"generation": tier} if tier else {},
+            "passes": [{"ms": {"median": each}} for each in ms]}
+
+
+def write_gpu(path, rows):
+    path.write_text(json.dumps({"command": "benchmark/gpu_run.py", "rows": rows}))
+    return path
+
+
 def run_tool(*arguments):
     return subprocess.run([sys.executable, "-B", str(TOOL), *map(str, arguments)],
                           capture_output=True, text=True, check=False)

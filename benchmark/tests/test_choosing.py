@@ -13,9 +13,11 @@ TOOL = ROOT / "benchmark" / "report" / "choosing.py"
 sys.path.insert(0, str(TOOL.parent))
 import choosing
 import choosing_adaptive
+import choosing_gpu
 import choosing_presets
 import choosing_speed
 import sweep_rows
+from sweep_results import gpu_row
 
 
 def row(technique, n, c, ms, error, size=100, cost=1, events=1.0, shading=1.0, deciding=0.0, merging=None):
@@ -53,6 +55,22 @@ class Choosing(unittest.TestCase):
         self.assertEqual(len(lines), 2 + 10 + 1)
         self.scene["rows"] = self.scene["rows"][:1]
         self.assertIn("none (1)", choosing.how_often([self.scene, scene(name="city")])[2])
+
+    def test_claims_beside_a_gpu(self):
+        rows = [row("ssaa", 8, 0, 100, 1e-3), row("dcaa", 64, 4, 140, 1e-4), row("agaa", 8, 2, 110, 1e-3), row("msaa", 8, 0, 50, 1e-3)]
+        for each, tier in zip(rows, ("", "lists", "ids", ""), strict=True):
+            each["tiers"] = {"generation": tier} if tier else {}
+        gpu = [gpu_row("metal", "ssaa", 8, 0, "", 3, 1), gpu_row("metal", "dcaa", 64, 4, "lists", 8), gpu_row("metal", "agaa", 8, 2, "ids", 2),
+               gpu_row("metal", "dcaa", 64, 4, "lists", 1, way="compute"), gpu_row("metal", "msaa", 8, 0, "", 1, backend="gl"),
+               gpu_row("city", "ssaa", 8, 0, "", 1)]
+        lines = choosing_gpu.lines([{"name": "metal", "rows": rows}], "a CPU", "8x8", [{"rows": gpu}])
+        self.assertIn("| row | metal |", lines)
+        self.assertIn("| agaa n=8 c=2 by id | 0.50 / 1.10 |", lines)
+        self.assertIn("| msaa n=8 | – / 0.50 |", lines)
+        self.assertIn("| `agaa` c=2 by id is faster than `ssaa` n=8 | 1 of 1 | 0 of 1 |", lines)
+        self.assertIn("| `dcaa` takes at most 1.5 times as long as `ssaa` n=8 | 0 of 1 | 1 of 1 |", lines)
+        self.assertIn("| `agaa` c=2 by id is faster than `simple_complex` n=8 | – | – |", lines)
+        self.assertEqual(choosing_gpu.lines([{"name": "sh3d_foliage", "rows": rows}], "a CPU", "8x8", [{"rows": gpu}]), [])
 
     def test_losses_are_those_of_simple_complex(self):
         rows = [{"technique": technique, "n": 8, "c": 0, "shadingCost": 1, "tiers": {}, "preset": "",

@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 from browser import Browser, find_chromium
-from sweep_results import make_results, run_tool, write_motion, write_results
+from sweep_results import gpu_row, make_results, run_tool, write_gpu, write_motion, write_results
 
 KEEP = None
 
@@ -32,7 +32,10 @@ class Shown(unittest.TestCase):
         cls.folder.mkdir(parents=True, exist_ok=True)
         cls.results = make_results(cls.folder)
         cls.page = cls.folder / "report.html"
-        done = run_tool(write_results(cls.folder, cls.results), cls.page, "--motion", write_motion(cls.folder / "motion"))
+        gpu = [gpu_row("bamboo", "ssaa", 8, 0, "", 6, 4), gpu_row("bamboo", "agaa", 8, 2, "ids", 5),
+               gpu_row("bamboo", "agaa", 8, 2, "ids", 1, way="compute"), gpu_row("metal", "single", 1, 0, "", 1)]
+        done = run_tool(write_results(cls.folder, cls.results), cls.page, "--motion", write_motion(cls.folder / "motion"),
+                        "--gpu", write_gpu(cls.folder / "passes.json", gpu))
         if done.returncode:
             raise RuntimeError(done.stderr)
         cls.browser = Browser(find_chromium())
@@ -302,6 +305,18 @@ class Shown(unittest.TestCase):
         self.choose("motion-view", "metal, light, OpenGL")
         self.assertNotIn("ghosting", self.rows("#motion")[0])
         self.assertFalse(self.browser.run("Boolean(document.querySelector('img.motion'))"))
+
+    def test_frames_of_a_gpu_stand_beside(self):
+        self.open()
+        self.choose("scene", "bamboo")
+        rows = {line[0]: line[1:] for line in self.rows("#gpus-table")}
+        self.assertEqual(set(rows), {"row", "ssaa n=8", "agaa n=8 c=2 (scaled-target, ids)"})
+        self.assertEqual(rows["ssaa n=8"], ["1", "1"])
+        own = rows["agaa n=8 c=2 (scaled-target, ids)"]
+        self.assertEqual(own[0], "0.5")
+        self.assertGreater(float(own[1]), 0)
+        self.choose("scene", "metal")
+        self.assertIn("no frames of a GPU", self.browser.run("document.getElementById('gpus-table').textContent"))
 
     def test_claims_are_judged_over_all_scenes(self):
         self.open()

@@ -30,6 +30,14 @@ class Written(unittest.TestCase):
     def embedded(self, source):
         return json.loads(re.search(r'id="results">(.*?)</script>', source, re.DOTALL)[1])
 
+    def test_frames_of_a_gpu_that_cannot_be_read(self):
+        path = self.folder / "passes.json"
+        for text in ("{", "[]", '{"rows": []}', '{"rows": [{}]}'):
+            path.write_text(text)
+            done = run_tool(write_results(self.folder, make_results(self.folder)), self.out, "--gpu", path)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, r"^Could not read \S+passes.json: passes.json of benchmark/gpu_run.py is wanted: .+\n$")
+
     def test_is_one_file(self):
         source = self.make(make_results(self.folder))
         self.assertIsNone(re.search(r"<(script|link|img)[^>]*(src|href)=(?!\"data:)", source))

@@ -57,6 +57,7 @@ function showScene() {
     const costs = unique(rowsOf(scene).map(costOf)).sort((a, b) => a - b);
     setOptions(byId("cost"), costs.map((cost) => ({value: String(cost), text: cost + "×"})), "1");
     showHead(backend, scene);
+    showGpus(backend, scene);
     showCost();
     showTemporal(rowsOf(scene).filter((row) => costOf(row) === 1));
     showCompare(scene);
