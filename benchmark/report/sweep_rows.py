@@ -42,7 +42,9 @@ def find(scene, technique, n, c=0, cost=1, by=None):
 
 
 def builds(scenes):
-    return ", ".join(sorted({scene.get("build") or "one without a name" for scene in scenes}))
+    found = {scene.get("build") or "one without a name" for scene in scenes}
+    found |= {row["build"] for scene in scenes for row in scene["rows"] if row.get("build")}
+    return ", ".join(sorted(found))
 
 
 def ratio(a, b):

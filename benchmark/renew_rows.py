@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Replaces rows of a sweep by those of a later one, which measured few rows again.
+
+usage: renew_rows.py RESULTS.json LATER.json ROW... OUT.json
+
+The sweeps have the same scenes, size and backends. Times of the later rows are scaled by the frame of `single` in both,
+so that rows of one scene compare. A replaced row names its build.
+"""
+import json
+import sys
+from pathlib import Path
+
+from runs import write_json
+
+STATISTICS = ("median", "p95", "low", "high")
+
+
+def name_of(row):
+    """The name that agaa-sweep has for the row, without its tier; rows that differ in their tiers have several."""
+    cost = f"-cost{row['shadingCost']}" if row["shadingCost"] > 1 else ""
+    kind = row["preset"] or (row["c"] if row["c"] else "")
+    return f"{row['technique']}-{row['n']}" + (f"-{kind}" if kind else "") + cost
+
+
+def is_named(row, name):
+    """A name may end in the tier of generation."""
+    return name in (name_of(row), f"{name_of(row)}-{(row['tiers'] or {}).get('generation', '')}")
+
+
+def scaled(times, factor):
+    return {key: value * factor if key in STATISTICS else [each * factor for each in value] if key == "turns" else value
+            for key, value in times.items()}
+
+
+def renewed(row, factor, build):
+    passes = row["passes"] and [{**each, "ms": scaled(each["ms"], factor)} for each in row["passes"]]
+    stages = row["stageMs"] and {stage: ms * factor for stage, ms in row["stageMs"].items()}
+    return {**row, "frameMs": scaled(row["frameMs"], factor), "passes": passes, "stageMs": stages, "build": build}
+
+
+def single_ms(scene):
+    return next(row["frameMs"]["median"] for row in scene["rows"] if name_of(row) == "single-1")
+
+
+def renew_scene(scene, later, names):
+    factor = single_ms(scene) / single_ms(later)
+    for name in names:
+        old = [i for i, row in enumerate(scene["rows"]) if is_named(row, name)]
+        new = [row for row in later["rows"] if is_named(row, name)]
+        if len(old) != 1 or len(new) != 1:
+            raise ValueError(f"{scene['name']} has {len(old)} rows of the name {name}, and {len(new)} later ones; one is needed")
+        scene["rows"][old[0]] = renewed(new[0], factor, later["build"])
+
+
+def renew(results, later, names):
+    if results["size"] != later["size"]:
+        raise ValueError(f"the sizes differ: {results['size']} and {later['size']}")
+    for backend in results["backends"]:
+        others = next((each for each in later["backends"] if each["backend"] == backend["backend"]), {"scenes": []})
+        by_name = {scene["name"]: scene for scene in others["scenes"]}
+        for scene in backend["scenes"]:
+            if scene["name"] not in by_name:
+                raise ValueError(f"the later sweep lacks {scene['name']} ({backend['backend']})")
+            renew_scene(scene, by_name[scene["name"]], names)
+    return results
+
+
+def main(arguments):
+    if len(arguments) < 4 or arguments[0].startswith("-"):
+        sys.exit(__doc__)
+    first, later, *names, out = arguments
+    try:
+        results = renew(json.loads(Path(first).read_text()), json.loads(Path(later).read_text()), names)
+    except (OSError, ValueError) as error:
+        sys.exit(f"renew_rows: {error}.")
+    write_json(Path(out), results)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
