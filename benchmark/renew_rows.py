@@ -3,10 +3,12 @@
 
 usage: renew_rows.py RESULTS.json LATER.json ROW... OUT.json
 
-The sweeps have the same scenes, size and backends. Times of the later rows are scaled by the frame of `single` in both,
-so that rows of one scene compare. A replaced row names its build.
+The sweeps are of the same scenes, size, references and devices. Times of the later rows are scaled by the frame of `single`
+in both, so that rows of one scene compare. A replaced row names its build. Its images are copied from the folder of LATER
+to that of OUT.
 """
 import json
+import shutil
 import sys
 from pathlib import Path
 
@@ -39,30 +41,51 @@ def renewed(row, factor, build):
 
 
 def single_ms(scene):
-    return next(row["frameMs"]["median"] for row in scene["rows"] if name_of(row) == "single-1")
+    found = [row["frameMs"]["median"] for row in scene["rows"] if name_of(row) == "single-1"]
+    if len(found) != 1:
+        raise ValueError(f"{scene['name']} has {len(found)} rows of single; one is needed")
+    return found[0]
+
+
+def check_alike(what, first, later, members):
+    for member in members:
+        if first.get(member) != later.get(member):
+            raise ValueError(f"{what}: {member} differs, {first.get(member)} and {later.get(member)}")
 
 
 def renew_scene(scene, later, names):
+    check_alike(scene["name"], scene, later, ("camera", "lights", "triangles"))
+    check_alike(scene["name"], scene["reference"], later["reference"], ("spp",))
     factor = single_ms(scene) / single_ms(later)
     for name in names:
         old = [i for i, row in enumerate(scene["rows"]) if is_named(row, name)]
         new = [row for row in later["rows"] if is_named(row, name)]
         if len(old) != 1 or len(new) != 1:
             raise ValueError(f"{scene['name']} has {len(old)} rows of the name {name}, and {len(new)} later ones; one is needed")
-        scene["rows"][old[0]] = renewed(new[0], factor, later["build"])
+        scene["rows"][old[0]] = renewed(new[0], factor, later.get("build"))
+        yield scene["rows"][old[0]]
 
 
 def renew(results, later, names):
-    if results["size"] != later["size"]:
-        raise ValueError(f"the sizes differ: {results['size']} and {later['size']}")
+    """Replaces the rows, and returns the new ones."""
+    check_alike("the sweep", results, later, ("size",))
+    rows = []
     for backend in results["backends"]:
         others = next((each for each in later["backends"] if each["backend"] == backend["backend"]), {"scenes": []})
         by_name = {scene["name"]: scene for scene in others["scenes"]}
         for scene in backend["scenes"]:
             if scene["name"] not in by_name:
                 raise ValueError(f"the later sweep lacks {scene['name']} ({backend['backend']})")
-            renew_scene(scene, by_name[scene["name"]], names)
-    return results
+            check_alike(backend["backend"], backend, others, ("device", "driver"))
+            rows += renew_scene(scene, by_name[scene["name"]], names)
+    return rows
+
+
+def copy_images(rows, source, target):
+    for path in (row[kind] for row in rows for kind in ("image", "difference", "heat") if row.get(kind)):
+        if (source / path).exists() and source.resolve() != target.resolve():
+            (target / path).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source / path, target / path)
 
 
 def main(arguments):
@@ -70,7 +93,9 @@ def main(arguments):
         sys.exit(__doc__)
     first, later, *names, out = arguments
     try:
-        results = renew(json.loads(Path(first).read_text()), json.loads(Path(later).read_text()), names)
+        results = json.loads(Path(first).read_text())
+        rows = renew(results, json.loads(Path(later).read_text()), names)
+        copy_images(rows, Path(later).parent, Path(out).parent)
     except (OSError, ValueError) as error:
         sys.exit(f"renew_rows: {error}.")
     write_json(Path(out), results)

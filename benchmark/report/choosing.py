@@ -163,7 +163,7 @@ def document(sweeps):
                       "converges. `benchmark/motion.py` measures it beside the others in moving scenes."]
         lines += ["", "### In short", ""] + how_often(scenes)
         gpus = [json.loads(page.with_suffix(".json").read_text()) for page in gpu_pages()]
-        lines += choosing_gpu.lines(scenes, backend["device"], results["size"], gpus)
+        lines += choosing_gpu.lines(scenes, backend, results["size"], gpus)
         for title, asked, limits, pick in QUESTIONS:
             lines += [f"### {title}", ""] + by_scene(scenes, asked, limits, pick)
         if presets := preset_figures(scenes):

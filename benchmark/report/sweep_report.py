@@ -134,7 +134,10 @@ def main(arguments):
         print(f"Could not read {options.motion}, which is to be a folder of benchmark/motion.py: {error}", file=sys.stderr)
         return 1
     try:
-        gpus = [gpu_frames(json.loads(path.read_text(encoding="utf-8"))) for path in options.gpu]
+        passes = [json.loads(path.read_text(encoding="utf-8")) for path in options.gpu]
+        gpus = [gpu for each in passes for gpu in (gpu_frames(each, "vk"), gpu_frames(each, "gl")) if gpu]
+        if len(gpus) < len(passes):
+            raise ValueError("it has no rows")
     except (OSError, KeyError, IndexError, TypeError, AttributeError, ValueError) as error:
         print(f"Could not read {', '.join(map(str, options.gpu))}: passes.json of benchmark/gpu_run.py is wanted: {error}",
               file=sys.stderr)

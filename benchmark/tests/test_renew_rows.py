@@ -25,16 +25,18 @@ def row(technique, n, c, ms, tier=None, cost=1):
 
 
 def results(single, dcaa, build):
-    scene = {"name": "metal", "build": build, "rows": [row("single", 1, 0, single), row("dcaa", 64, 4, dcaa, "lists"),
+    scene = {"name": "metal", "build": build, "camera": "", "lights": 17, "triangles": 9, "reference": {"spp": 512}, "rows": [row("single", 1, 0, single), row("dcaa", 64, 4, dcaa, "lists"),
                                                        row("dcaa", 64, 4, 9 * dcaa, "lists", cost=4), row("agaa", 8, 2, 5, "ids")]}
-    return {"size": "8x8", "backends": [{"backend": "vk", "scenes": [scene]}]}
+    return {"size": "8x8", "backends": [{"backend": "vk", "device": "d", "driver": "e", "scenes": [scene]}]}
 
 
 class Renewed(unittest.TestCase):
     def test_times_are_by_those_of_single(self):
         first, later = results(10, 100, "old"), results(20, 120, "new")
         before = copy.deepcopy(first)
-        rows = renew_rows.renew(first, later, ["dcaa-64-4"])["backends"][0]["scenes"][0]["rows"]
+        new = renew_rows.renew(first, later, ["dcaa-64-4"])
+        rows = first["backends"][0]["scenes"][0]["rows"]
+        self.assertEqual(new, [rows[1]])
         self.assertEqual(rows[1]["frameMs"], {**times(60), "confidence": 0.75, "frames": 2})
         self.assertEqual(rows[1]["passes"][0]["ms"]["turns"], [30, 60])
         self.assertEqual(rows[1]["stageMs"], {"shading": 30})
@@ -44,10 +46,20 @@ class Renewed(unittest.TestCase):
         self.assertEqual([rows[i] for i in (0, 2, 3)], [others[i] for i in (0, 2, 3)])
 
     def test_names_may_have_a_cost_and_a_tier(self):
-        rows = renew_rows.renew(results(10, 100, "old"), results(10, 200, "new"), ["dcaa-64-4-cost4", "agaa-8-2-ids"])
-        rows = rows["backends"][0]["scenes"][0]["rows"]
+        first = results(10, 100, "old")
+        renew_rows.renew(first, results(10, 200, "new"), ["dcaa-64-4-cost4", "agaa-8-2-ids"])
+        rows = first["backends"][0]["scenes"][0]["rows"]
         self.assertEqual([each["frameMs"]["median"] for each in rows], [10, 100, 1800, 5])
         self.assertEqual([each.get("build") for each in rows], [None, None, "new", "new"])
+
+    def test_images_are_copied(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source, target = Path(folder) / "later", Path(folder) / "out"
+            (source / "images").mkdir(parents=True)
+            (source / "images/a.jpg").write_text("new")
+            renew_rows.copy_images([{"image": "images/a.jpg", "heat": "images/none.jpg", "difference": None}], source, target)
+            self.assertEqual([path.read_text() for path in target.rglob("*.jpg")], ["new"])
+            renew_rows.copy_images([{"image": "images/a.jpg"}], source, source)
 
     def test_what_does_not_fit_is_said(self):
         def run(first, later, *names):
@@ -61,8 +73,15 @@ class Renewed(unittest.TestCase):
         good = results(10, 100, "old")
         self.assertEqual(run(good, good, "dcaa-64-4"), "")
         self.assertIn("metal has 0 rows of the name dcaa-32-4", run(good, good, "dcaa-32-4"))
-        self.assertIn("the sizes differ", run(good, {**good, "size": "9x9"}, "dcaa-64-4"))
+        self.assertIn("size differs, 8x8 and 9x9", run(good, {**good, "size": "9x9"}, "dcaa-64-4"))
         self.assertIn("lacks metal", run(good, {**good, "backends": []}, "dcaa-64-4"))
+        for member, wrong in (("lights", 1), ("reference", {"spp": 4}), ("rows", [])):
+            other = copy.deepcopy(good)
+            other["backends"][0]["scenes"][0][member] = wrong
+            self.assertRegex(run(good, other, "dcaa-64-4"), "^renew_rows: metal(: (lights|spp) differs| has 0 rows of single)")
+        other = copy.deepcopy(good)
+        other["backends"][0]["driver"] = "f"
+        self.assertIn("vk: driver differs, e and f", run(good, other, "dcaa-64-4"))
         self.assertIn("usage:", run(good, good))
 
 

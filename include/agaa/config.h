@@ -385,8 +385,8 @@ typedef enum AgaaLanes {
 /* AGAA algorithm 2, step 2 (c): a fragment goes to the aggregate of its first sample. 4 bytes per pixel more. */
 #define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10)
 /* Every shading event evaluates all lights of the frame. Otherwise, in views with maxLights of 8 or more whose
- * technique shades samples or aggregates of a depth buffer, lights that cannot reach anything in a tile of 8 by 8
- * pixels are not evaluated there. */
+ * technique shades in passes of the SDK, lights that cannot reach anything in a tile of 8 by 8 pixels are not
+ * evaluated there. */
 #define AGAA_MEASURE_NO_LIGHT_CULLING UINT64_C(0x20)
 
 /* Settings for measurements and for comparison with the papers. Chain it to AgaaConfig; hosts do not need it to

@@ -162,19 +162,21 @@ TEST(Goals, WhatCannotBeMetIsNamed) {
 
 TEST(Goals, MoreLightsChooseFewerEvents) {
     Host host;
-    std::set<double> seen;
-    for (const float limit : {0.3f, 0.2f, 0.14f, 0.06f}) {
+    for (const float limit : {0.4f, 0.3f, 0.2f, 0.14f, 0.06f}) {
         host.goal.maxErrorShare = limit;
-        double last = 1e9;
+        std::vector<double> events;
+        std::string names;
         for (const float lights : {1.0f, 8.0f, 64.0f, 1024.0f}) {
             const AgaaObservation frame = frameOfSingle(lights);
-            const double events = eventsOf(host.fresh(&frame));
-            EXPECT_LE(events, last) << host.choice.reason;
-            last = events;
-            seen.insert(events);
+            events.push_back(eventsOf(host.fresh(&frame)));
+            names += std::string(" ") + host.choice.technique + "-" + std::to_string(host.choice.samples);
+            if (events.size() > 1) {
+                EXPECT_LE(events.back(), events[events.size() - 2]) << host.choice.reason;
+            }
         }
+        std::printf("%.2f:%s\n", double(limit), names.c_str());
+        EXPECT_LT(events.back(), events.front()) << limit;
     }
-    EXPECT_GE(seen.size(), 5u);
 }
 
 // An engine with one light measured 98 ms with "ssaa", 113 ms with "agaa" c=2 and 73 ms with its preset "fast", from a
@@ -195,8 +197,8 @@ TEST(Goals, OneLightHasTheOrderThatAnEngineMeasured) {
     // scale * agaa.geometry + agaa.shading = 113 / 98 * (scale * ssaa.geometry + ssaa.shading)
     const double measured = 113.0 / 98;
     const double scale = (agaa.shading - measured * ssaa.shading) / (measured * ssaa.geometry - agaa.geometry);
-    EXPECT_GT(scale, 0);
-    std::printf("%.2f times the geometry of the table's scenes\n", scale);
+    EXPECT_GT(scale, 0.1);
+    EXPECT_LT(scale, 10);
     EXPECT_NEAR((scale * fast.geometry + fast.shading) / (scale * ssaa.geometry + ssaa.shading), 73.0 / 98, 0.15);
 }
 
@@ -348,7 +350,7 @@ TEST(Goals, ChoicesSettleUnderNoise) {
                 host.goal.maxErrorShare = preference == AGAA_PREFER_TIME ? 0.3f : 0.0f;
                 ASSERT_EQ(host.choose(), AGAA_OK);
                 int late = 0, own = 0;
-                std::set<const ChoiceRow*> tried;
+                std::set<const ChoiceRow*> tried = {rowOf(host.choice)};
                 for (int frame = 0; frame < 600; ++frame) {
                     const AgaaObservation o = device.frame(host.choice);
                     ASSERT_EQ(host.choose(&o), AGAA_OK) << host.message;
@@ -360,7 +362,8 @@ TEST(Goals, ChoicesSettleUnderNoise) {
                 changes += own;
                 lateRuns += late > 0;
                 EXPECT_LE(own, 10) << "seed " << seed << ", limit " << limit << ": " << host.choice.reason;
-                EXPECT_LE(own, 2 * int(tried.size())) << "choices alternate: " << host.choice.reason;
+                // Settings that turn out too slow are left for those before them, once each.
+                EXPECT_LE(own, 2 * (int(tried.size()) - 1)) << "choices alternate: " << host.choice.reason;
                 EXPECT_LE(late, 1) << "seed " << seed << ", limit " << limit << ": " << host.choice.reason;
                 if (!host.choice.missedLimits) {
                     EXPECT_LE(device.milliseconds(host.choice), 1.15 * limit) << host.choice.reason;

@@ -399,15 +399,44 @@ TEST(Planner, LightsAreCulledWhereThereAreManyAndADepth) {
 }
 
 TEST(Planner, PassesWithoutDepthFindTheirLights) {
-    for (const uint32_t lights : {7u, 8u, 33u}) {
-        const Plan plan = planFor({.technique = "dcaa", .samples = 32, .maxLights = lights}, fourSampleDevice());
-        const bool culls = lights >= 8;
-        const auto shade = std::ranges::find(plan.passes, "shade surfaces", &Pass::name);
+    const auto expectCulling = [](const ViewSpec& spec, const char* pass, bool culls) {
+        SCOPED_TRACE(format("%s, %u lights", pass, spec.maxLights));
+        const Plan plan = planFor(spec, fourSampleDevice());
+        const auto shade = std::ranges::find(plan.passes, pass, &Pass::name);
         ASSERT_NE(shade, plan.passes.end());
-        EXPECT_EQ(shade->constants[AGAA_LIGHT_WORDS], culls ? (lights + 31) / 32 : 0);
+        EXPECT_EQ(shade->constants[AGAA_LIGHT_WORDS], culls ? (spec.maxLights + 31) / 32 : 0);
         EXPECT_EQ(std::ranges::find(plan.effects, "light-culling") != plan.effects.end(), culls);
         for (const Resource& resource : plan.resources)
             EXPECT_NE(resource.name, "light-masks");
+    };
+    struct Way {
+        const char* technique;
+        const char* pass;
+        AgaaTier tier;
+        uint64_t coverage;
+    };
+    for (const auto& [technique, pass, tier, coverage] :
+         {Way{"dcaa", "shade surfaces", AGAA_TIER_AUTO, 0},
+          {"dcaa", "shade fragments", AGAA_TIER_MATERIAL_LISTS, AGAA_COVERAGE_EXACT},
+          {"agaa", "aggregate and shade", AGAA_TIER_FRAGMENTS, 0}}) {
+        ViewSpec spec{.technique = technique, .samples = 32};
+        const auto change = [=](TechniqueConfig& config) {
+            config.generationTier = tier;
+            config.coverage.flags = coverage;
+        };
+        spec.change = change;
+        for (const uint32_t lights : {7u, 8u, 33u}) {
+            spec.maxLights = lights;
+            expectCulling(spec, pass, lights >= 8);
+        }
+        spec.change = [=](TechniqueConfig& config) {
+            change(config);
+            config.measurement.flags |= AGAA_MEASURE_NO_LIGHT_CULLING;
+        };
+        expectCulling(spec, pass, false);
+        spec.change = change;
+        spec.facts |= AGAA_FACT_NO_LOCAL_LIGHTS;
+        expectCulling(spec, pass, false);
     }
 }
 

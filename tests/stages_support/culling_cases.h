@@ -47,6 +47,15 @@ protected:
         return settings;
     }
 
+    // Techniques that shade coverage samples: merged surfaces, fragments, and aggregates of fragments.
+    static std::vector<ViewSettings> coverageSettings() {
+        std::vector<ViewSettings> all = {settingsOf("dcaa", 32, 4, AGAA_TIER_FRAGMENT_LISTS),
+                                         settingsOf("dcaa", 32, 4, AGAA_TIER_FRAGMENT_LISTS),
+                                         settingsOf("agaa", 32, 2, AGAA_TIER_FRAGMENTS)};
+        all[1].config.coverage.flags = AGAA_COVERAGE_EXACT;
+        return all;
+    }
+
     typename Host::Context context;
 };
 TYPED_TEST_SUITE_P(CullingCases);
@@ -117,14 +126,18 @@ TYPED_TEST_P(CullingCases, CoverageSamplesFindTheirLights) {
 
 TYPED_TEST_P(CullingCases, EachProjection) {
     const Shot shot = this->shotOf(64, 2);
-    ViewSettings settings = this->settingsOf("agaa", 4);
-    EXPECT_LT(this->expectNoDifference(settings, shot), 0.9);
-    settings.flags = AGAA_VIEW_REVERSED_Z;
-    settings.projection = reversedInfinite(60, 1.5f, 0.1f); // samples that show nothing are infinitely far
-    EXPECT_LT(this->expectNoDifference(settings, shot), 0.9);
-    settings.flags = 0;
-    settings.projection = pixelOrthographic(48, 32, 30);
-    EXPECT_LT(this->expectNoDifference(settings, shot), 1);
+    std::vector<ViewSettings> all = this->coverageSettings();
+    all.push_back(this->settingsOf("agaa", 4));
+    for (ViewSettings& settings : all) {
+        SCOPED_TRACE(settings.config.technique);
+        EXPECT_LT(this->expectNoDifference(settings, shot), 0.9);
+        settings.flags = AGAA_VIEW_REVERSED_Z;
+        settings.projection = reversedInfinite(60, 1.5f, 0.1f); // samples that show nothing are infinitely far
+        EXPECT_LT(this->expectNoDifference(settings, shot), 0.9);
+        settings.flags = 0;
+        settings.projection = pixelOrthographic(48, 32, 30);
+        EXPECT_LT(this->expectNoDifference(settings, shot), 1);
+    }
 }
 
 TYPED_TEST_P(CullingCases, AnySizeAndView) {
@@ -139,6 +152,12 @@ TYPED_TEST_P(CullingCases, AnySizeAndView) {
         EXPECT_LT(this->expectNoDifference(settings, this->shotOf(40, 1)), 0.9);
         settings.config.technique = "ssaa";
         EXPECT_LT(this->expectNoDifference(settings, this->shotOf(40, 1)), 0.9);
+        for (ViewSettings coverage : this->coverageSettings()) {
+            coverage.width = width;
+            coverage.height = height;
+            coverage.view = settings.view;
+            EXPECT_LT(this->expectNoDifference(coverage, this->shotOf(40, 1)), 0.9);
+        }
     }
 }
 
@@ -147,12 +166,16 @@ TYPED_TEST_P(CullingCases, FramesWithFewLightsEvaluateThem) {
     for (const uint32_t lights : {0u, 1u, 7u}) {
         Shot shot = this->shotOf(std::max(lights, 1u), 1);
         shot.lights.resize(lights);
-        ViewSettings settings = this->settingsOf("ssaa", 2);
-        settings.facts.maxLights = 64;
-        settings.facts.shadowMapCount = 0;
-        const Shown shown = show(this->context, settings, shot);
-        EXPECT_EQ(shown.counters.lightEvaluations, shown.counters.shadingEvents * lights);
-        EXPECT_GT(sumOf(shown.rgb), 0);
+        std::vector<ViewSettings> all = this->coverageSettings();
+        all.push_back(this->settingsOf("ssaa", 2));
+        for (ViewSettings& settings : all) {
+            settings.facts.maxLights = 64;
+            settings.facts.shadowMapCount = 0;
+            const Shown shown = show(this->context, settings, shot);
+            EXPECT_EQ(shown.counters.lightEvaluations, shown.counters.shadingEvents * lights)
+                << settings.config.technique;
+            EXPECT_GT(sumOf(shown.rgb), 0);
+        }
     }
 }
 
@@ -176,19 +199,17 @@ TYPED_TEST_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp) {
         frame.shadows = shadows;
         frame.shadowCount = 2;
     };
-    struct Way {
-        const char* technique;
-        uint32_t tier, litShadows;
-    };
-    for (size_t setting = 0; const auto& [technique, tier, litShadows] : {Way{"ssaa", AGAA_TIER_AUTO, 0},
-                                                                          {"agaa", AGAA_TIER_PER_SAMPLE, 0},
-                                                                          {"agaa", AGAA_TIER_GBUFFER, 1},
-                                                                          {"agaa", AGAA_TIER_IDS, 0}}) {
+    std::vector<ViewSettings> all = this->coverageSettings();
+    for (const auto& [technique, tier] : {std::pair{"ssaa", AGAA_TIER_AUTO},
+                                          {"agaa", AGAA_TIER_PER_SAMPLE},
+                                          {"agaa", AGAA_TIER_GBUFFER},
+                                          {"agaa", AGAA_TIER_IDS}})
+        all.push_back(this->settingsOf(technique, 4, 2, tier));
+    all[5].config.aggregation.litShadows = 1;
+    for (size_t setting = 0; ViewSettings & settings : all) {
         if (!rendersSetting<TypeParam>(setting++))
             continue;
-        SCOPED_TRACE(std::string(technique) + ' ' + agaaTierName(tier));
-        ViewSettings settings = this->settingsOf(technique, 4, 2, tier);
-        settings.config.aggregation.litShadows = litShadows;
+        SCOPED_TRACE(std::string(settings.config.technique) + ' ' + agaaTierName(settings.config.generationTier));
         settings.facts.maxLights = 20;
         settings.facts.shadowMapCount = 2;
         settings.chained = &function;

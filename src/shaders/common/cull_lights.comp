@@ -44,7 +44,7 @@ agaa_Box agaa_boxOfPixel(uvec2 pixel) {
 void main() {
     agaa_beginTileLights();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    if (!agaa_areLightsFew() && all(lessThan(pixel, agaa_frame.size)))
+    if (agaa_needsTileBox() && all(lessThan(pixel, agaa_frame.size)))
         agaa_addToTile(agaa_boxOfPixel(pixel));
     agaa_findTileLights();
     barrier();

@@ -59,7 +59,12 @@ bool agaa_reaches(agaa_GpuLight light, agaa_Box box, mat3 toView) {
 // Few lights are all evaluated.
 bool agaa_areLightsFew() { return agaa_lightBuffer.shadows[0].lightCount < AGAA_LEAST_CULLED_LIGHTS; }
 
+// Returns whether the geometry of the tile is needed.
+bool agaa_needsTileBox() { return AGAA_LIGHT_WORDS != 0u && !agaa_areLightsFew(); }
+
 void agaa_beginTileLights() {
+    if (AGAA_LIGHT_WORDS == 0u)
+        return;
     const uint lane = gl_LocalInvocationIndex;
     for (uint i = lane; i <= AGAA_LIGHT_WORDS; i += 64u)
         agaa_tileLights[i] = 0u;
@@ -70,13 +75,14 @@ void agaa_beginTileLights() {
 
 // Readers of the lights need a barrier.
 void agaa_findTileLights() {
+    if (AGAA_LIGHT_WORDS == 0u)
+        return;
     barrier();
     const agaa_Box box = agaa_boxOfTile();
     const bool isEmpty = box.low.x > box.high.x;
     const bool areFew = agaa_areLightsFew();
     const mat3 toView = inverse(transpose(mat3(agaa_frame.view)));
-    const uint count = AGAA_LIGHT_WORDS != 0u ? agaa_lightBuffer.shadows[0].lightCount : 0u;
-    for (uint i = gl_LocalInvocationIndex; i < count; i += 64u)
+    for (uint i = gl_LocalInvocationIndex; i < agaa_lightBuffer.shadows[0].lightCount; i += 64u)
         if (areFew || (!isEmpty && agaa_reaches(agaa_lightBuffer.lights[i], box, toView))) {
             atomicOr(agaa_tileLights[i >> 5u], 1u << (i & 31u));
             uint map = agaa_lightBuffer.lights[i].shadowMap;

@@ -9,7 +9,7 @@
 // head: of a list that agaa_resolveList() has resolved.
 agaa_Box agaa_boxOfList(uvec2 pixel, uint head) {
     agaa_Box box = agaa_emptyBox();
-    for (uint fragment = head; fragment != 0u && AGAA_LIGHT_WORDS != 0u;) {
+    for (uint fragment = agaa_needsTileBox() ? head : 0u; fragment != 0u;) {
         uint record = agaa_record(fragment);
         uvec4 mask = agaa_maskOf(record);
         if (agaa_coverageCount(mask) != 0u) // a list of one may have none: it is at the far plane

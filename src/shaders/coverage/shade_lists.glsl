@@ -66,7 +66,8 @@ void main() {
         agaa_addToTile(agaa_boxOfList(pixel, head));
     }
     agaa_findTileLights();
-    barrier();
+    if (AGAA_LIGHT_WORDS != 0u)
+        barrier();
     if (isInside && isListed)
         agaa_shadePixel(pixel, head);
     else if (isInside)

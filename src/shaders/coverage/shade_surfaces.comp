@@ -86,7 +86,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
             agaa_DepthPlane plane = agaa_loadPlane(base, mask);
             mask &= ~agaa_hiddenSamples(pixel, a, mask, plane);
             count = agaa_coverageCount(mask);
-            if (count != 0u)
+            if (count != 0u && agaa_needsTileBox())
                 agaa_addToBox(box, agaa_viewPositionOf(pixel, plane, agaa_coverageMiddle(mask, AGAA_SAMPLES)));
         }
         agaa_shown[first + a] = mask;
