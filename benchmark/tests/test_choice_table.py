@@ -28,10 +28,10 @@ class Rows(unittest.TestCase):
             return {"technique": technique, "preset": preset, "tiers": {"generation": tier} if tier else {}}
 
         for kept in (row("ssaa"), row("agaa", "accurate", "gbuffer"), row("agaa", tier="ids"), row("dcaa", tier="lists"),
-                     row("adaptive")):
+                     row("agaa", tier="fragments"), row("adaptive")):
             self.assertTrue(choice_rows.is_for_hosts(kept), kept)
         for left in (row("taa"), row("dcaa", "lean"), row("adaptive", "device"), row("dcaa", tier="material-lists"),
-                     row("agaa", tier="fragments"), row("agaa", "paper")):
+                     row("agaa", "paper")):
             self.assertFalse(choice_rows.is_for_hosts(left), left)
 
 

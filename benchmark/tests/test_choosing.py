@@ -63,14 +63,23 @@ class Choosing(unittest.TestCase):
         gpu = [gpu_row("metal", "ssaa", 8, 0, "", 3, 1), gpu_row("metal", "dcaa", 64, 4, "lists", 8), gpu_row("metal", "agaa", 8, 2, "ids", 2),
                gpu_row("metal", "dcaa", 64, 4, "lists", 1, way="compute"), gpu_row("metal", "msaa", 8, 0, "", 1, backend="gl"),
                gpu_row("city", "ssaa", 8, 0, "", 1)]
-        lines = choosing_gpu.lines([{"name": "metal", "rows": rows}], "a CPU", "8x8", [{"rows": gpu}])
+        cpu = {"backend": "vk", "device": "a CPU"}
+        lines = choosing_gpu.lines([{"name": "metal", "rows": rows}], cpu, "8x8", [{"rows": gpu}])
         self.assertIn("| row | metal |", lines)
         self.assertIn("| agaa n=8 c=2 by id | 0.50 / 1.10 |", lines)
         self.assertIn("| msaa n=8 | – / 0.50 |", lines)
         self.assertIn("| `agaa` c=2 by id is faster than `ssaa` n=8 | 1 of 1 | 0 of 1 |", lines)
         self.assertIn("| `dcaa` takes at most 1.5 times as long as `ssaa` n=8 | 0 of 1 | 1 of 1 |", lines)
+        self.assertIn("| `dcaa`, triangles by compute passes, takes at most 1.5 times as long as `ssaa` n=8 | 1 of 1 | – |", lines)
         self.assertIn("| `agaa` c=2 by id is faster than `simple_complex` n=8 | – | – |", lines)
-        self.assertEqual(choosing_gpu.lines([{"name": "sh3d_foliage", "rows": rows}], "a CPU", "8x8", [{"rows": gpu}]), [])
+        self.assertEqual(choosing_gpu.lines([{"name": "sh3d_foliage", "rows": rows}], cpu, "8x8", [{"rows": gpu}]), [])
+        self.assertEqual(choosing_gpu.lines([{"name": "metal", "rows": rows}], {**cpu, "backend": "gl"}, "8x8", [{"rows": gpu}]), [])
+
+    def test_a_tie_is_not_faster(self):
+        rows = [row("ssaa", 8, 0, 100, 1e-3), row("simple_complex", 8, 0, 98, 1e-3)]
+        gpu = [gpu_row("metal", "ssaa", 8, 0, "", 100), gpu_row("metal", "simple_complex", 8, 0, "", 96)]
+        lines = choosing_gpu.lines([{"name": "metal", "rows": rows}], {"backend": "vk", "device": "a CPU"}, "8x8", [{"rows": gpu}])
+        self.assertIn("| `simple_complex` n=8 is faster than `ssaa` n=8 | 1 of 1 | 0 of 1 |", lines)
 
     def test_losses_are_those_of_simple_complex(self):
         rows = [{"technique": technique, "n": 8, "c": 0, "shadingCost": 1, "tiers": {}, "preset": "",
