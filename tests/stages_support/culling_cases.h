@@ -128,7 +128,9 @@ TYPED_TEST_P(CullingCases, EachProjection) {
     const Shot shot = this->shotOf(64, 2);
     std::vector<ViewSettings> all = this->coverageSettings();
     all.push_back(this->settingsOf("agaa", 4));
-    for (ViewSettings& settings : all) {
+    for (size_t setting = 0; ViewSettings & settings : all) {
+        if (!rendersSetting<TypeParam>(setting++))
+            continue;
         SCOPED_TRACE(settings.config.technique);
         EXPECT_LT(this->expectNoDifference(settings, shot), 0.9);
         settings.flags = AGAA_VIEW_REVERSED_Z;
@@ -141,7 +143,7 @@ TYPED_TEST_P(CullingCases, EachProjection) {
 }
 
 TYPED_TEST_P(CullingCases, AnySizeAndView) {
-    for (const auto& [width, height] : {std::pair{17u, 5u}, {43u, 29u}, {8u, 8u}}) {
+    for (size_t size = 0; const auto& [width, height] : {std::pair{17u, 5u}, {43u, 29u}, {8u, 8u}}) {
         SCOPED_TRACE(width);
         ViewSettings settings = this->settingsOf("agaa", 4);
         settings.width = width;
@@ -152,12 +154,11 @@ TYPED_TEST_P(CullingCases, AnySizeAndView) {
         EXPECT_LT(this->expectNoDifference(settings, this->shotOf(40, 1)), 0.9);
         settings.config.technique = "ssaa";
         EXPECT_LT(this->expectNoDifference(settings, this->shotOf(40, 1)), 0.9);
-        for (ViewSettings coverage : this->coverageSettings()) {
-            coverage.width = width;
-            coverage.height = height;
-            coverage.view = settings.view;
-            EXPECT_LT(this->expectNoDifference(coverage, this->shotOf(40, 1)), 0.9);
-        }
+        ViewSettings coverage = this->coverageSettings()[size++];
+        coverage.width = width;
+        coverage.height = height;
+        coverage.view = settings.view;
+        EXPECT_LT(this->expectNoDifference(coverage, this->shotOf(40, 1)), 0.95);
     }
 }
 
@@ -168,7 +169,9 @@ TYPED_TEST_P(CullingCases, FramesWithFewLightsEvaluateThem) {
         shot.lights.resize(lights);
         std::vector<ViewSettings> all = this->coverageSettings();
         all.push_back(this->settingsOf("ssaa", 2));
-        for (ViewSettings& settings : all) {
+        for (size_t setting = lights; ViewSettings & settings : all) {
+            if (!rendersSetting<TypeParam>(setting++))
+                continue;
             settings.facts.maxLights = 64;
             settings.facts.shadowMapCount = 0;
             const Shown shown = show(this->context, settings, shot);
