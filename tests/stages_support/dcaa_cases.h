@@ -260,6 +260,23 @@ TYPED_TEST_P(DcaaCases, ExactShowsWhatSurfacesWithoutMergingShow) {
     }
 }
 
+// Ambient light does not reach what the view leaves out of its materials.
+TYPED_TEST_P(DcaaCases, ExactLeavesOutWhatTheViewLacks) {
+    Shot shot{.triangles = tangle(40), .change = addAmbient};
+    for (Triangle& t : shot.triangles) {
+        t.material.specular = glm::vec4(0.7f);
+        t.material.emissive = glm::vec4(0.5f);
+    }
+    ViewSettings settings = dcaaSettings(32, 4, AGAA_TIER_FRAGMENT_LISTS);
+    settings.config.coverage.flags = AGAA_COVERAGE_EXACT;
+    settings.facts.flags &= ~uint64_t(AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE);
+    const Shown shown = this->render(settings, shot);
+    for (Triangle& t : shot.triangles)
+        t.material.specular = t.material.emissive = glm::vec4(0);
+    expectSameImage(shown.rgb, this->render(settings, shot).rgb, this->context.caps(), 0);
+    EXPECT_GT(sumOf(shown.rgb), 0);
+}
+
 // Layers over the whole view, which is larger than a pool of the smallest size: tiles are drawn in several batches, and
 // the image is the one of a pool with room for all.
 TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
@@ -327,8 +344,8 @@ TYPED_TEST_P(DcaaCases, OneFullTileDoesNotShrinkBatches) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow,
-                            ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows,
-                            OneFullTileDoesNotShrinkBatches, EdgesCoverTheirShare, ShowsWhatManySamplesShow,
-                            MergesAsAlgorithm1OfThePaper, HardCase67OrderOfDrawsIsFree);
+                            ExactShowsWhatSurfacesWithoutMergingShow, ExactLeavesOutWhatTheViewLacks,
+                            BatchesShowWhatOneDrawShows, OneFullTileDoesNotShrinkBatches, EdgesCoverTheirShare,
+                            ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper, HardCase67OrderOfDrawsIsFree);
 
 } // namespace agaa::test

@@ -50,8 +50,7 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     if (!agaa_isFinite3(n) || size == 0.0)
         return vec3(0.0, 0.0, 1.0);
     n = normalize(agaa_quotient3(n, size));
-    float away =
-        agaa_isOrthographic() != 0u ? -n.z : dot(n, agaa_quotient3(a, max(agaa_largestMagnitude(a), 1e-30)));
+    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, agaa_quotient3(a, max(agaa_largestMagnitude(a), 1e-30)));
     return away > 0.0 ? -n : n;
 }
 
@@ -96,10 +95,9 @@ uvec2 agaa_expandedPixel = uvec2(0u);
 
 void agaaMoveTo(inout AgaaPrimitive p, vec2 offset) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
-    agaa_Barycentrics b = agaa_barycentrics(agaa_vertexInPixels(p.a.xyw, pixelsPerNdc),
-                                            agaa_vertexInPixels(p.b.xyw, pixelsPerNdc),
-                                            agaa_vertexInPixels(p.c.xyw, pixelsPerNdc),
-                                            vec2(agaa_expandedPixel) + 0.5 + offset, vec2(1.0));
+    agaa_Barycentrics b = agaa_barycentrics(
+        agaa_vertexInPixels(p.a.xyw, pixelsPerNdc), agaa_vertexInPixels(p.b.xyw, pixelsPerNdc),
+        agaa_vertexInPixels(p.c.xyw, pixelsPerNdc), vec2(agaa_expandedPixel) + 0.5 + offset, vec2(1.0));
     p.at = b.at;
     p.dx = b.dx;
     p.dy = b.dy;
@@ -189,8 +187,12 @@ vec3 agaa_materialNormal(AgaaMaterial m, uint i) {
     return n * inversesqrt(max(dot(n, n), 1e-6));
 }
 
-// The normal of a curved material is not that of the surface.
+// Returns the surface without what the view leaves out, which ambient light would reach otherwise. The normal of a
+// curved material is not that of the surface.
 agaa_Surface agaa_surfaceOfMaterial(AgaaMaterial m) {
-    return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2, 0.0, vec3(0.0));
+    const bool hasSpecular = AGAA_HAS_SPECULAR != 0u;
+    const bool isEmissive = AGAA_EMISSIVE_CHANNELS != 0u;
+    return agaa_Surface(m.diffuse, hasSpecular ? m.specular : vec3(0.0), isEmissive ? m.emissive : vec3(0.0), m.normal,
+                        1.0, hasSpecular ? m.alpha2 : 1.0, 0.0, vec3(0.0));
 }
 #endif
