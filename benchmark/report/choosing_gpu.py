@@ -27,7 +27,7 @@ ROWS = {
     DCAA: "dcaa n=64 S=4",
     DCAA_COMPUTE: "dcaa n=64 S=4, triangles by compute passes",
 }
-MARGIN = 0.97  # frames of more than this share of another are not faster: medians vary by as much
+MARGIN = 0.97  # frames of more than this share of another count as a tie
 # A claim: two rows, and the largest ratio of their frames that it allows.
 CLAIMS = [
     ("`agaa` c=2 by id is faster than `ssaa` n=8", BY_ID, RIVAL, MARGIN),
@@ -77,7 +77,7 @@ def lines(measured, backend, size, gpus):
             continue
         text += [f"### Beside {escaped(gpu['device'])}, {gpu['size']}", "",
                  f"Frames by those of `ssaa` n=8 of the same scene and device, the GPU's first, then those of {device}, {size}. "
-                 "The GPU's are sums of the passes, of an earlier build.", ""]
+                 "The GPU's are sums of the passes; its build was not recorded.", ""]
         by_row = [[escaped(label), *(" / ".join(
             fixed(frames[scene][row] / frames[scene][RIVAL]) if row in frames[scene] else "–" for frames in (there, here))
             for scene in scenes)] for row, label in ROWS.items()]

@@ -13,7 +13,7 @@ function gpuTable(gpu, backend, scene) {
     if (!rival)
         return null;
     const gpuMs = (row) => there.get(settingsOf(row, row.tiers?.generation));
-    return tableOf(`Frames by those of ssaa n=8 of the same device. ${gpu.device}: ${gpu.size}, sums of the passes, of an earlier build`,
+    return tableOf(`Frames by those of ssaa n=8 of the same device. ${gpu.device}: ${gpu.size}, sums of the passes; its build was not recorded`,
         ["<row", `${gpu.device}`, `${backend.device ?? MISSING}`],
         sortedRows(rows).map((row) => [label(row), significant(ratio(gpuMs(row), gpuMs(rival)), 2),
             significant(ratio(frameMs(row), frameMs(rival)), 2)]));

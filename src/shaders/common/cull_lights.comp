@@ -14,8 +14,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/tile_lights.glsl"
 #include "common/tile_pixels.glsl"
 
-layout(std430, AGAA_BINDING_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock { uint words[]; }
-agaa_lightMasks;
+layout(std430, AGAA_BINDING_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock {
+    uint words[];
+} agaa_lightMasks;
 
 // Returns false where the sample has no geometry. In targets of the SDK that is the far plane (host/far_plane.glsl).
 bool agaa_readDepth(uvec2 pixel, uint i, out float depth) {

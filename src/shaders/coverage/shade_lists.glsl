@@ -41,8 +41,8 @@ void agaa_shadePixel(uvec2 pixel, uint head) {
     agaa_count(AGAA_COUNT_ONCE, covered);
     agaa_count(AGAA_COUNT_AGGREGATES, events);
     agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
-    bool isWhole =
-        AGAA_NORMALISES != 0u && covered != 0u && agaa_fragments.words[agaa_boundOf(pixel, agaa_frame.size)] != 0u;
+    bool isWhole = AGAA_NORMALISES != 0u && covered != 0u &&
+                   agaa_fragments.words[agaa_boundOf(pixel, agaa_frame.size)] != 0u;
     if (isWhole) {
         color *= float(AGAA_SAMPLES) / float(covered);
         covered = AGAA_SAMPLES;

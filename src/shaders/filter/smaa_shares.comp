@@ -13,8 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "filter/edge_words.glsl"
 
 // A word per pixel with edges: shares of the pixel and of the one above, then of the pixel and of the one to the left.
-layout(std430, AGAA_BINDING_SHARES) writeonly buffer agaa_ShareBlock { uint words[]; }
-agaa_shares;
+layout(std430, AGAA_BINDING_SHARES) writeonly buffer agaa_ShareBlock { uint words[]; } agaa_shares;
 
 const int agaa_longestRun = 64;
 const uint agaa_mostSteps = 32u;
@@ -72,8 +71,8 @@ vec2 agaa_sharesOfRun(agaa_Run run, int at) {
     int after = agaa_pixelsAfter(run, at);
     int first = at - before, last = at + after + 1;
     float moved = run.direction == agaa_rows ? agaa_frame.jitter.y : agaa_frame.jitter.x;
-    return agaa_edgeShares(float(before), float(after), agaa_crossingsAt(run, first, 0), agaa_crossingsAt(run, last, 0),
-                           moved) *
+    return agaa_edgeShares(float(before), float(after), agaa_crossingsAt(run, first, 0),
+                           agaa_crossingsAt(run, last, 0), moved) *
            agaa_cornerShares(float(before), float(after), agaa_crossingsAt(run, first, 1),
                              agaa_crossingsAt(run, last, 1));
 }

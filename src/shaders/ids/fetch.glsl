@@ -50,7 +50,8 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     if (!agaa_isFinite3(n) || size == 0.0)
         return vec3(0.0, 0.0, 1.0);
     n = normalize(agaa_quotient3(n, size));
-    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, agaa_quotient3(a, max(agaa_largestMagnitude(a), 1e-30)));
+    float away =
+        agaa_isOrthographic() != 0u ? -n.z : dot(n, agaa_quotient3(a, max(agaa_largestMagnitude(a), 1e-30)));
     return away > 0.0 ? -n : n;
 }
 
@@ -95,9 +96,10 @@ uvec2 agaa_expandedPixel = uvec2(0u);
 
 void agaaMoveTo(inout AgaaPrimitive p, vec2 offset) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
-    agaa_Barycentrics b = agaa_barycentrics(
-        agaa_vertexInPixels(p.a.xyw, pixelsPerNdc), agaa_vertexInPixels(p.b.xyw, pixelsPerNdc),
-        agaa_vertexInPixels(p.c.xyw, pixelsPerNdc), vec2(agaa_expandedPixel) + 0.5 + offset, vec2(1.0));
+    agaa_Barycentrics b = agaa_barycentrics(agaa_vertexInPixels(p.a.xyw, pixelsPerNdc),
+                                            agaa_vertexInPixels(p.b.xyw, pixelsPerNdc),
+                                            agaa_vertexInPixels(p.c.xyw, pixelsPerNdc),
+                                            vec2(agaa_expandedPixel) + 0.5 + offset, vec2(1.0));
     p.at = b.at;
     p.dx = b.dx;
     p.dy = b.dy;
