@@ -72,6 +72,11 @@ bool isSceneOf(const TestScene& test, const char* scene, const char* other) {
     return test.name == scene || (test.name == other && rendersSetting(1));
 }
 
+bool isSampled(const TestScene& test) {
+    const auto found = std::ranges::find(sharedScenes, test.name, &SharedScene::name);
+    return found == std::end(sharedScenes) || rendersSetting(size_t(found - std::begin(sharedScenes)));
+}
+
 size_t sceneNumber(const std::string& name) {
     const auto scenes = builtinScenes();
     const auto found = std::ranges::find(scenes, name, &BuiltinScene::name);

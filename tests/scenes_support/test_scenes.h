@@ -27,6 +27,9 @@ bool rendersSetting(size_t index);
 // Returns whether the test is of `scene`. With AGAA_ALL_SETTINGS in the environment it may be of `other`, too, which
 // the other graphics API renders.
 bool isSceneOf(const TestScene& test, const char* scene, const char* other);
+// Returns whether large tests render the scene: built-in ones and every second shared one. With AGAA_ALL_SETTINGS in
+// the environment they render all of them.
+bool isSampled(const TestScene& test);
 // Returns the number of a built-in scene, or 0.
 size_t sceneNumber(const std::string& name);
 // Skips the running test if a shared scene is missing.

@@ -35,6 +35,8 @@ protected:
 };
 
 TEST_P(Accuracy, MoreAggregatesErrLessAndTwoErrATenthOfSingle) {
+    if (!isSampled(GetParam()))
+        GTEST_SKIP() << "scripts/test --exhaustive covers every second shared scene";
     const Scene scene = loadScene(GetParam().source);
     sharedRenderer().load(scene);
     RenderSettings s = settingsFor(GetParam(), scene, 320, 180);
@@ -60,6 +62,8 @@ TEST_P(Accuracy, MoreAggregatesErrLessAndTwoErrATenthOfSingle) {
 // The presets from a G-buffer, where materials are those of ssaa: each errs less than the one before, and
 // `paper` more than the last two. On scenes with masks `accurate` by id errs at most twice as much.
 TEST_P(Accuracy, PresetsErrLessEach) {
+    if (!isSampled(GetParam()))
+        GTEST_SKIP() << "scripts/test --exhaustive covers every second shared scene";
     const Scene scene = loadScene(GetParam().source);
     sharedRenderer().load(scene);
     RenderSettings s = settingsFor(GetParam(), scene, 320, 180);

@@ -43,7 +43,11 @@ TEST_P(Scenes, EveryVisibleSampleIsAccumulatedOnce) {
     }
 }
 
-TEST_P(Scenes, TiersAgree) { expectTiersAgree(sharedRenderer(), settings(), GetParam().name.c_str()); }
+TEST_P(Scenes, TiersAgree) {
+    if (!isSampled(GetParam()))
+        GTEST_SKIP() << "scripts/test --exhaustive covers every second shared scene";
+    expectTiersAgree(sharedRenderer(), settings(), GetParam().name.c_str());
+}
 
 TEST_P(Scenes, WaysAgree) {
     if (!isSceneOf(GetParam(), "bamboo", "metal"))
@@ -65,6 +69,8 @@ TEST_P(Scenes, ImagesRepeatBitByBit) {
 
 // Hard case 35.
 TEST_P(Scenes, DrawOrderMattersOnlyWhereDepthsTie) {
+    if (!isSampled(GetParam()))
+        GTEST_SKIP() << "scripts/test --exhaustive covers every second shared scene";
     RenderSettings s = settings();
     const Image ordered = sharedRenderer().render(s).image;
     s.drawOrderSeed = 7;
@@ -97,7 +103,11 @@ TEST_P(Scenes, VertexPullingShowsWhatGeometryShadersShow) {
     expectNoMessages(*pulling);
 }
 
-TEST_P(Scenes, HardCase22_FarFromTheOriginNothingChanges) { expectSameFarFromTheOrigin(sharedRenderer(), settings()); }
+TEST_P(Scenes, HardCase22_FarFromTheOriginNothingChanges) {
+    if (!isSampled(GetParam()))
+        GTEST_SKIP() << "scripts/test --exhaustive covers every second shared scene";
+    expectSameFarFromTheOrigin(sharedRenderer(), settings());
+}
 
 INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
