@@ -129,6 +129,40 @@ typedef struct AgaaShadowFunction {
     { AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0, NULL }
 AGAA_API void AGAA_CALL agaaInitShadowFunction(AgaaShadowFunction* outFunction, size_t structSize);
 
+/* The part of the lighting that a shading function replaces.
+ *
+ * REFLECTANCE: the library's reflectance in its loop over lights, which keeps culling, shadows, spot cones and
+ * attenuation; emission and ambient light are added as without the function. The text defines
+ *     vec3 agaaReflect(AgaaSurface surface, vec3 toLight, vec3 toEye)
+ * which returns the radiance that is reflected to the eye for unit radiance from toLight: the reflectance times the
+ * cosine. It is called once for each light that reaches an event.
+ * EVENT: all lighting. The text defines
+ *     vec3 agaaShade(AgaaSurface surface)
+ * which returns the radiance to the eye, emission and ambient light included. It may loop over the lights that reach
+ * the event (agaaNextLight), look shadows up (agaaShadow, agaaShadowAt) and call the library's reflectance
+ * (agaaBuiltInReflect). Views whose function reads none of the frame's lights or shadows need not declare any in
+ * AgaaSceneFacts and do not pay for them. "visibility" adds the emission of samples itself; surface.emissive is 0. */
+typedef enum AgaaShadingLevel { AGAA_SHADING_REFLECTANCE = 0, AGAA_SHADING_EVENT = 1 } AgaaShadingLevel;
+
+/* A function that shades in place of the library. Chain it to AgaaViewDesc. It is compiled into the passes that shade,
+ * and called once for each shading event: a sample, a fragment or an aggregate, whose means it receives in an
+ * AgaaSurface. All vectors are unit, in shading space. Negative results count as 0. Results that are not finite count
+ * as 0 too; AgaaCounters::sanitised counts them. "msaa", which shades in the host's fragment shaders, has the text in
+ * AgaaDrawPass::glslDeclarations: the host compiles it and binds its resources as those of its own shader. */
+typedef struct AgaaShadingFunction {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    const char* glsl;
+    uint32_t level;               /* AgaaShadingLevel */
+    uint32_t reserved;            /* 0 */
+    uint64_t descriptorSetLayout; /* see AgaaGBufferFunction::descriptorSetLayout */
+    const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
+} AgaaShadingFunction;
+#define AGAA_SHADING_FUNCTION_INIT                                                                                     \
+    { AGAA_STRUCTURE_TYPE_SHADING_FUNCTION, (uint32_t)sizeof(AgaaShadingFunction), NULL, NULL, 0, 0, 0, NULL }
+AGAA_API void AGAA_CALL agaaInitShadingFunction(AgaaShadingFunction* outFunction, size_t structSize);
+
 #ifdef __cplusplus
 }
 #endif

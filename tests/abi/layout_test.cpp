@@ -30,6 +30,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaGBufferFunction, 56);
     EXPECT_SIZE(AgaaFetchFunction, 64);
     EXPECT_SIZE(AgaaShadowFunction, 48);
+    EXPECT_SIZE(AgaaShadingFunction, 48);
     EXPECT_SIZE(AgaaDeviceCaps, 304);
     EXPECT_SIZE(AgaaCapability, 304);
     EXPECT_SIZE(AgaaSurface, 144);

@@ -52,6 +52,8 @@ WRONG = [
     ["render", "--motion", "fall"],
     ["render", "--alpha-points", "2"],
     ["render", "--dither-frame", "-1"],
+    ["render", "--shading-function", "/no/such/file.glsl"],
+    ["render", "--shading-level", "2"],
     ["render", "--expand", "mesh"],
     ["render", "--fragments-per-pixel", "many"],
     ["plan", "--technique", "dcaa", "--samples", "64", "--fragments-per-pixel", "auto"],

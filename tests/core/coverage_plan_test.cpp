@@ -186,14 +186,14 @@ TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
     HostDialect dialect;
     dialect.openGl = true;
     const std::string text = hostDeclarations(plan, *draw, dialect);
-    EXPECT_NE(hostExtensions(*draw, dialect).find("GL_EXT_shader_framebuffer_fetch"), std::string::npos);
+    EXPECT_NE(hostExtensions(plan, *draw, dialect).find("GL_EXT_shader_framebuffer_fetch"), std::string::npos);
     EXPECT_NE(text.find("layout(location = 6) inout uvec4 agaa_target6;"), std::string::npos);
     EXPECT_EQ(text.find("agaa_target7"), std::string::npos);
     EXPECT_EQ(text.find("out vec4 agaa_out"), std::string::npos);
     dialect = {};
     dialect.descriptorSet = 2;
     const std::string vulkan = hostDeclarations(plan, *draw, dialect);
-    EXPECT_EQ(hostExtensions(*draw, dialect), "");
+    EXPECT_EQ(hostExtensions(plan, *draw, dialect), "");
     EXPECT_NE(
         vulkan.find("layout(input_attachment_index = 0, set = 2, binding = 10) uniform usubpassInput agaa_held[7];"),
         std::string::npos);
@@ -279,8 +279,8 @@ TEST(CoveragePlan, InterlockCompiles) {
             for (const bool openGl : {false, true}) {
                 dialect.openGl = openGl;
                 const std::string text =
-                    "#version 450\n" + hostExtensions(*pass, dialect) + "#define AGAA_ALPHA_MASKED " + masked + "\n" +
-                    hostDeclarations(plan, *pass, dialect) +
+                    "#version 450\n" + hostExtensions(plan, *pass, dialect) + "#define AGAA_ALPHA_MASKED " + masked +
+                    "\n" + hostDeclarations(plan, *pass, dialect) +
                     "void main() {\n    AgaaSurfaceInput s = agaa_surfaceInput();\n    agaa_emit(s);\n}\n";
                 glslang::TShader shader(EShLangFragment);
                 const char* source = text.c_str();

@@ -36,7 +36,7 @@ std::string compileErrors(const std::string& text, const HostDialect& dialect) {
 }
 
 std::string hostShader(const Plan& plan, const Pass& pass, const HostDialect& dialect, bool masked) {
-    std::string text = "#version " + std::to_string(dialect.glslVersion) + "\n" + hostExtensions(pass, dialect) +
+    std::string text = "#version " + std::to_string(dialect.glslVersion) + "\n" + hostExtensions(plan, pass, dialect) +
                        "#define AGAA_ALPHA_MASKED " + (masked ? "1\n" : "0\n") + hostDeclarations(plan, pass, dialect);
     // Before 4.10 fragment inputs are matched by name.
     text += dialect.glslVersion < 410 ? "#define AT(n)\n" : "#define AT(n) layout(location = n)\n";
@@ -128,7 +128,7 @@ TEST(HostGlslCorners, HaveALocationInEveryVersion) {
                           std::string::npos);
                 EXPECT_NE(text.find("AGAA_AT_CORNERS flat"), std::string::npos);
             }
-            EXPECT_EQ(hostExtensions(pass, dialect).find("ARB_separate_shader_objects") != std::string::npos,
+            EXPECT_EQ(hostExtensions(plan, pass, dialect).find("ARB_separate_shader_objects") != std::string::npos,
                       version < 410);
         }
     }

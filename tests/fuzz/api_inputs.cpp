@@ -145,6 +145,15 @@ const void* anyFunctions(Choices& choices, Memory& memory, uint32_t samples, uin
         value.glslExtensions = anyExtensions(choices, memory);
         chain = memory.copy(value, 0, 0, 1);
     }
+    if (choices.oneIn(6)) {
+        AgaaShadingFunction value = AGAA_SHADING_FUNCTION_INIT;
+        value.pNext = chain;
+        value.glsl = memory.text("vec3 agaaShade(AgaaSurface s) { return s.diffuse; }");
+        value.level = choices.oneIn(8) ? choices.word() : choices.below(2);
+        value.descriptorSetLayout = choices.below(2);
+        value.glslExtensions = anyExtensions(choices, memory);
+        chain = memory.copy(value, 0, 0, 1);
+    }
     return chain;
 }
 

@@ -25,6 +25,9 @@ bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m
 constexpr const char* shadowText = R"(
 float agaaHostShadow(uint shadow, vec3 position) { return position.x; }
 )";
+constexpr const char* shadingText = R"(
+vec3 agaaShade(AgaaSurface surface) { return surface.diffuse * surface.coverage; }
+)";
 
 std::string repeated(const std::string& part, size_t count) {
     std::string text;
@@ -128,6 +131,8 @@ void runGlsl(Choices& choices) {
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
     AgaaGBufferFunction gbuffer = AGAA_GBUFFER_FUNCTION_INIT;
     AgaaShadowFunction shadow = AGAA_SHADOW_FUNCTION_INIT;
+    AgaaShadingFunction shading = AGAA_SHADING_FUNCTION_INIT;
+    shading.level = AGAA_SHADING_EVENT;
     fetch.maxDraws = fetch.maxPrimitives = 100;
     shadow.shadows = 1;
     const auto chain = [&](auto& function, const char* usual) {
@@ -142,6 +147,8 @@ void runGlsl(Choices& choices) {
         chain(gbuffer, gbufferText);
     if (kind == 2 || choices.oneIn(4))
         chain(shadow, shadowText);
+    if (choices.oneIn(4))
+        chain(shading, shadingText);
 
     // A compilation takes milliseconds, so one pass of the view is enough.
     static const agaa::GlslCompilerUse compilerUse;

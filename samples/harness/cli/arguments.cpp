@@ -144,6 +144,11 @@ uint32_t parseConstants(const std::string& name) {
                    {"texels", AGAA_GL_CONSTANTS_TEXELS}});
 }
 
+AgaaShadingLevel parseShadingLevel(const std::string& name) {
+    return AgaaShadingLevel(
+        choice(name, "--shading-level", {{"event", AGAA_SHADING_EVENT}, {"reflectance", AGAA_SHADING_REFLECTANCE}}));
+}
+
 void requireBackend(const std::string& name) {
     if (name != "vk" && name != "gl")
         throw BadArgument("--backend is \"" + name + "\"; it can be vk or gl.");

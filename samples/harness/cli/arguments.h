@@ -25,9 +25,10 @@ struct Size {
 Size parseSize(const std::string& text);     // WxH
 Camera parseCamera(const std::string& text); // ex,ey,ez,tx,ty,tz,fovDegrees
 std::vector<double> parseNumbers(const std::string& text, size_t count, const char* option);
-uint32_t parseStatePolicy(const std::string& name); // restore, callbacks, none
-uint32_t parseConstants(const std::string& name);   // block, uniforms, texels
-void requireBackend(const std::string& name);       // vk or gl
+uint32_t parseStatePolicy(const std::string& name);          // restore, callbacks, none
+uint32_t parseConstants(const std::string& name);            // block, uniforms, texels
+AgaaShadingLevel parseShadingLevel(const std::string& name); // event, reflectance
+void requireBackend(const std::string& name);                // vk or gl
 
 // The settings that determine a plan; memory, plan, render and reference share them.
 struct PlanArguments {

@@ -41,6 +41,8 @@ struct RenderArguments {
     uint32_t drawOrderSeed = 0;
     uint32_t alphaPoints = 1;
     uint32_t ditherFrame = 0;
+    std::string shadingFunction; // render: a file with GLSL; empty: none
+    std::string shadingLevel = "event";
     std::string motion = "still";    // render: of the scene
     uint32_t spp = 512;              // reference: samples per pixel
     std::string footprint = "pixel"; // reference: pixel or sample

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
 namespace harness {
 
@@ -49,6 +51,17 @@ void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts) {
         facts.flags &= AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH;
 }
 
+// Returns the text of the file, or nothing without a file.
+std::string readShadingFunction(const std::string& path) {
+    if (path.empty())
+        return {};
+    std::ifstream file(path);
+    std::stringstream text;
+    if (!file || !(text << file.rdbuf()))
+        throw BadArgument("--shading-function: cannot read " + path + ", or it is empty.");
+    return text.str();
+}
+
 RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration,
                               const Scene& scene) {
     RenderSettings settings;
@@ -67,6 +80,8 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.reversedZ = arguments.plan.reversedZ;
     settings.vertexPulling = configuration.vertexPulling;
     settings.computesTriangles = configuration.computesTriangles;
+    settings.shadingGlsl = readShadingFunction(arguments.shadingFunction);
+    settings.shadingLevel = parseShadingLevel(arguments.shadingLevel);
     settings.drawOrderSeed = arguments.drawOrderSeed;
     settings.alphaPoints = arguments.alphaPoints;
     settings.ditherFrame = arguments.ditherFrame;

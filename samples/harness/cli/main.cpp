@@ -169,6 +169,9 @@ void run(int argc, char** argv) {
         ->add_option("--alpha-points", renderArguments.alphaPoints,
                      "where cut-outs read alpha in a texel: 1, 4 or, of dcaa, which has 4 at least, 16")
         ->check(CLI::IsMember({1u, 4u, 16u}));
+    render->add_option("--shading-function", renderArguments.shadingFunction,
+                       "GLSL file with agaaShade() or agaaReflect(), which replaces the library's model");
+    render->add_option("--shading-level", renderArguments.shadingLevel, "event or reflectance: what the file defines");
     addMotionOption(*render, renderArguments.motion);
     render->add_flag("--switch-facts", renderArguments.switchFacts,
                      "each frame has other facts than the one before, whose variants are prepared");

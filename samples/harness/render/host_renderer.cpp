@@ -91,6 +91,13 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
             fetch.maxTriangles = 0;
         desc.pNext = &fetch;
     }
+    AgaaShadingFunction shading = AGAA_SHADING_FUNCTION_INIT;
+    if (!settings.shadingGlsl.empty()) {
+        shading.glsl = settings.shadingGlsl.c_str();
+        shading.level = settings.shadingLevel;
+        shading.pNext = desc.pNext;
+        desc.pNext = &shading;
+    }
     const AgaaView view = useView(desc);
     RenderResult result;
     result.memory = predictMemory(desc, caps(), log());

@@ -63,6 +63,8 @@ struct RenderSettings {
     bool splitSegments = false;     // record each segment in a separate call
     bool vertexPulling = false;     // AGAA_VIEW_VERTEX_PULLING
     bool computesTriangles = false; // AgaaFetchFunction::maxTriangles
+    std::string shadingGlsl;        // AgaaShadingFunction::glsl; empty: the library's model
+    AgaaShadingLevel shadingLevel = AGAA_SHADING_EVENT;
 };
 
 // The result of a configuration in the SDK.

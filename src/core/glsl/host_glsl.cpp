@@ -3,12 +3,14 @@
 #include "core/base/error.h"
 #include "core/base/glsl_number.h"
 #include "core/frame/frame_data.h"
+#include "core/glsl/expression_depth.h"
 #include "core/glsl/glsl_text.h"
 #include "core/plan/gpu_layout.h"
 #include "core/plan/plan_builder.h"
 #include "core/plan/sample_patterns.h"
 #include "core/view/custom_glsl.h"
 #include "core/view/facts.h"
+#include "core/view/shading_glsl.h"
 
 #include <algorithm>
 #include <set>
@@ -161,6 +163,17 @@ std::string facts(const Pass& pass) {
     return out;
 }
 
+// Returns the text of the host that shades in the forward pass.
+std::string shadingText(const ViewSettings& view) {
+    if (!view.shadingFunction)
+        return {};
+    const std::string& text = view.shadingFunction->glsl;
+    if (expressionDepth(text) > maxExpressionDepth)
+        fail(AGAA_ERROR_INVALID_ARGUMENT,
+             format("AgaaShadingFunction::glsl is nested more than %zu levels deep.", maxExpressionDepth));
+    return "#line 1\n" + text + "\n";
+}
+
 // Frames have the positions of the view's samples only. OpenGL does not guarantee these; they place cut-outs.
 std::string ownSamplePositions(const Plan& plan, const Pass& pass) {
     if (pass.draw().state.samples == plan.view.hwSamples)
@@ -246,14 +259,17 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     if (pass.draw().id == AGAA_DRAW_PASS_VISIBILITY)
         defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.draw().colorTargets.empty() && !writesIds);
     if (pass.draw().id == AGAA_DRAW_PASS_FORWARD)
-        out += lightingDefines(plan, pass, dialect);
+        out += lightingDefines(plan, pass, dialect) + shadingFunctionGlsl(plan.view);
     return out;
 }
 
 } // namespace
 
-std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
+std::string hostExtensions(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     std::string out;
+    if (pass.draw().id == AGAA_DRAW_PASS_FORWARD && plan.view.shadingFunction &&
+        !plan.view.shadingFunction->extensions.empty())
+        out = plan.view.shadingFunction->extensions + "\n";
     const auto extension = [&](const char* name) { out += format("#extension GL_%s : require\n", name); };
     // Older versions need extensions.
     if (dialect.glslVersion < 400) {
@@ -307,7 +323,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         break;
     case AGAA_DRAW_PASS_FORWARD:
         appendGlsl(out, "host/far_plane.glsl", seen);
-        appendGlsl(out, "host/forward.glsl", seen);
+        appendGlsl(out, "host/forward.glsl", seen, shadingText(plan.view));
         break;
     case AGAA_DRAW_PASS_AGGREGATE:
         out += fields(pass.constants);
@@ -350,7 +366,7 @@ uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dial
     mixValue(uint32_t(pass.draw().id));
     mix(&pass.draw().state, sizeof pass.draw().state);
     const std::string text =
-        hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect) + expansion(plan, pass, dialect);
+        hostExtensions(plan, pass, dialect) + hostDeclarations(plan, pass, dialect) + expansion(plan, pass, dialect);
     mix(text.data(), text.size());
     for (ResourceId target : pass.draw().colorTargets)
         mixValue(uint32_t(plan.resources[target].format));
@@ -363,7 +379,7 @@ static HostPass makeHostPass(const Plan& plan, const Pass& pass, const HostDiale
     anySet.descriptorSet = 0; // the set number belongs to the host's pipeline layout, not to the key
     HostPass out;
     out.pipelineKey = hostPassKey(plan, pass, anySet);
-    out.extensions = hostExtensions(pass, dialect);
+    out.extensions = hostExtensions(plan, pass, dialect);
     out.declarations = hostDeclarations(plan, pass, dialect);
     out.geometry = hostGeometry(plan, pass, dialect);
     out.vertex = hostVertex(plan, pass, dialect);

@@ -23,7 +23,7 @@ struct HostDialect {
     std::array<uint32_t, hostBindingCount> bindings{}; // OpenGL: by host_slot
 };
 
-std::string hostExtensions(const Pass& pass, const HostDialect& dialect);
+std::string hostExtensions(const Plan& plan, const Pass& pass, const HostDialect& dialect);
 std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDialect& dialect);
 // Return the text for the geometry shader and for the vertex shader, or empty text if the pass has none for it.
 std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect);

@@ -2,6 +2,7 @@
 #include "core/plan/plan_builder.h"
 
 #include "core/base/error.h"
+#include "core/view/shading_glsl.h"
 
 #include "shaders/tables/lighting.inc"
 
@@ -43,6 +44,10 @@ void PlanBuilder::bindLighting(Pass& pass) {
     if (!host && (lightMasks_ != noResource || !cullsLights_))
         bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
     bindShadows(pass);
+    if (!host && plan.view.shadingFunction) {
+        addHostCode(pass, *plan.view.shadingFunction, "AgaaShadingFunction");
+        pass.compute().defines += shadingFunctionGlsl(plan.view);
+    }
     if (plan.effects.empty())
         listEffects(plan.view.layout.foldsRoughness() && !host && pass.compute().shadesAggregates);
 }
@@ -86,6 +91,8 @@ void PlanBuilder::listEffects(bool readsFolded) {
         effect("shadows");
     if (plan.view.functionShadows)
         effect("shadow-function");
+    if (plan.view.shadingFunction)
+        effect("shading-function");
     if (plan.view.aggregates) {
         if (plan.view.facts.shadowMapCount && constants_[AGAA_SHADOW_FILTER])
             effect("shadow-filter");

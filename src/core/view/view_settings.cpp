@@ -80,7 +80,7 @@ static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint3
 static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
     const AgaaViewDesc desc =
         readStruct(pointer, {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION,
-                             AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
+                             AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, AGAA_STRUCTURE_TYPE_SHADING_FUNCTION});
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
     checkFlags(desc.flags,
@@ -163,6 +163,16 @@ static void readShadowFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     view.shadowFunction = copyFunction(*function, view);
 }
 
+static void readShadingFunction(const AgaaViewDesc& desc, ViewSettings& view) {
+    const std::optional<AgaaShadingFunction> function = chainedFunction<AgaaShadingFunction>(desc);
+    if (!function)
+        return;
+    checkReserved(function->reserved, "AgaaShadingFunction::reserved");
+    checkRange(uint64_t(function->level), 0, AGAA_SHADING_EVENT, "AgaaShadingFunction::level");
+    view.hostShadesEvents = function->level == AGAA_SHADING_EVENT;
+    view.shadingFunction = copyFunction(*function, view);
+}
+
 static void readGBufferFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     const std::optional<AgaaGBufferFunction> function = chainedFunction<AgaaGBufferFunction>(desc);
     if (!function)
@@ -239,6 +249,7 @@ ViewSettings resolveView(const AgaaViewDesc* pointer, TechniqueTable table) {
     if (!technique.countsCoverage(view.config.generationTier, view.samples))
         view.coveragePositions.clear();
     readShadowFunction(desc, view);
+    readShadingFunction(desc, view);
     readGBufferFunction(desc, view);
     readFetchFunction(desc, view);
     view.layout = checkLayout(view.config.layout);

@@ -6,6 +6,7 @@
 #include "core/view/layout.h"
 #include "core/view/technique.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,9 @@ struct ViewSettings {
 
     uint32_t functionShadows = 0; // bit i: the host's function looks up shadow i
     HostText shadowFunction;
-    bool hostGBuffer = false; // the host draws the G-buffer; gbufferFunction reads its samples
+    std::optional<HostText> shadingFunction;
+    bool hostShadesEvents = false; // agaaShade(), in place of agaaReflect()
+    bool hostGBuffer = false;      // the host draws the G-buffer; gbufferFunction reads its samples
     HostText gbufferFunction;
     std::vector<float> samplePositions;       // x and y of each sample, if the host sets them
     uint32_t depthBits = 0;                   // of the host's fixed-point depth buffer; 0: it has floats

@@ -178,6 +178,7 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     uint samples = agaa_samplesOfLane(lane, i);
     float weight = agaa_eventWeight(samples);
     agaa_findVisibility(pixel, agaa_shadowedSamples(lane, i, samples));
+    agaa_setEvent(pixel, uvec4(samples, 0u, 0u, 0u));
     if (!agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
         agaa_findSpread(pixel, i, samples);
     agaa_fetchEvent(pixel, i, samples);

@@ -44,6 +44,7 @@ uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
 // map's light: at some of its samples, at all of them, along the view ray or at the mean position.
 vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
+    agaa_setEvent(pixel, uvec4(mask, 0u, 0u, 0u));
     uint count = uint(bitCount(mask));
     vec3 mean = vec3(0.0);
     vec3 first = vec3(0.0);

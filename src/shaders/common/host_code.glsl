@@ -51,7 +51,10 @@ struct AgaaPrimitive {
 #if defined(AGAA_HOST_FETCH) && defined(AGAA_EXPANDS_TRIANGLES)
 #include "common/host_triangles.glsl"
 #endif
-#if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH) || defined(AGAA_HOST_SHADOWS)
+#ifdef AGAA_HOST_SHADING
+#include "common/host_shading.glsl"
+#endif
+#if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH) || defined(AGAA_HOST_SHADOWS) || defined(AGAA_HOST_SHADING)
 #include "host-code"
 #endif
 #endif

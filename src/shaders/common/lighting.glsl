@@ -13,55 +13,14 @@
 
 #include "common/lights.glsl"
 #include "common/scene_facts.glsl"
+#include "common/shadow_maps.glsl"
 #include "tables/lighting.inc"
 
 #ifndef AGAA_LIT
 #define AGAA_LIT 0
 #endif
-#ifndef AGAA_SHADOW_TEXTURES // 0 if a function of the host returns all shadows
-#define AGAA_SHADOW_TEXTURES 1
-#endif
-
-#if AGAA_SHADOWS && AGAA_SHADOW_TEXTURES
-layout(AGAA_BINDING_SHADOW0) uniform sampler2DArrayShadow agaa_shadowMap0;
-layout(AGAA_BINDING_SHADOW1) uniform sampler2DArrayShadow agaa_shadowMap1;
-layout(AGAA_BINDING_SHADOW2) uniform sampler2DArrayShadow agaa_shadowMap2;
-layout(AGAA_BINDING_SHADOW3) uniform sampler2DArrayShadow agaa_shadowMap3;
-
-// Finds the first layer whose clip volume contains the point. Returns false for points outside all layers, which are
-// lit. Points behind a layer's eye (w <= 0) would read the mirrored map (hard case 41).
-bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
-    uint layer = 0u; // every map has one
-    do {
-        vec4 clip = agaa_lightBuffer.shadows[map].matrices[layer] * vec4(p, 1.0);
-        if (clip.w > 0.0 && abs(clip.x) <= clip.w && abs(clip.y) <= clip.w && clip.z >= 0.0 && clip.z <= clip.w) {
-            vec3 ndc = agaa_quotient3(clip.xyz, clip.w);
-            coordinate = vec4(ndc.xy * 0.5 + 0.5, float(layer), ndc.z - agaa_lightBuffer.shadows[map].bias);
-            return true;
-        }
-    } while (++layer < agaa_lightBuffer.shadows[map].layerCount);
-    return false;
-}
-
-#ifndef AGAA_COMPARE // reads level 0; fragment shaders define it without derivatives, which are undefined in branches
-#define AGAA_COMPARE(map, at) texture(map, at)
-#endif
-
-// Samplers are separate, because some drivers do not index sampler arrays dynamically.
-float agaa_mapTap(uint map, vec3 p) {
-    vec4 at;
-    if (!agaa_shadowCoordinate(map, p, at))
-        return 1.0;
-    if (map == 0u)
-        return AGAA_COMPARE(agaa_shadowMap0, at);
-    if (AGAA_SHADOW_MAPS > 1u && map == 1u)
-        return AGAA_COMPARE(agaa_shadowMap1, at);
-    if (AGAA_SHADOW_MAPS > 2u && map == 2u)
-        return AGAA_COMPARE(agaa_shadowMap2, at);
-    return AGAA_COMPARE(agaa_shadowMap3, at);
-}
-#else
-float agaa_mapTap(uint map, vec3 p) { return 1.0; }
+#ifndef AGAA_HOST_SHADES_EVENTS // 1 if a function of the host shades whole events
+#define AGAA_HOST_SHADES_EVENTS 0
 #endif
 
 // Counts taps of shadow `map`. A shadow that the frame lacks costs none.
@@ -136,7 +95,31 @@ void agaa_setSpread(float spread, vec3 position) {
     agaa_positionSpread = min(spread, width * width);
 }
 
-vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
+#ifdef AGAA_HOST_SHADING
+struct agaa_Event {
+    uvec2 pixel;
+    uvec4 samples;
+    float coverage;
+} agaa_event; // that is shaded
+#endif
+
+// Sets what shading functions of the host are told. samples: that the event represents, bits as in AgaaSurface.
+void agaa_setEvent(uvec2 pixel, uvec4 samples) {
+#ifdef AGAA_HOST_SHADING
+    ivec4 counts = bitCount(samples);
+    agaa_event = agaa_Event(pixel, samples, float(counts.x + counts.y + counts.z + counts.w) / float(AGAA_SAMPLES));
+#endif
+}
+
+// How a light reaches an event.
+struct agaa_Incidence {
+    vec3 toLight;
+    float intensity; // 0 if it does not
+    uint shadow;
+};
+
+// normal   Of the event.
+agaa_Incidence agaa_incidenceOf(uint index, vec3 position, vec3 normal) {
     agaa_GpuLight light = agaa_lightBuffer.lights[index];
     vec3 toLight = -light.direction;
     float intensity = 1.0;
@@ -145,25 +128,22 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
         float d2 = agaa_spreadDistance2(dot(d, d), agaa_positionSpread);
         intensity = agaa_pointAttenuation(d2, light.range, light.radius * light.radius);
         if (intensity <= 0.0)
-            return vec3(0.0);
+            return agaa_Incidence(toLight, 0.0, light.shadowMap);
         toLight = agaa_lightDirection(d, light.radius * light.radius);
         if (light.type == AGAA_LIGHT_SPOT)
             intensity *= agaa_spotCone(dot(-toLight, light.direction), light.cosInner, light.cosOuter);
         if (agaa_positionSpread > 0.0)
             toLight =
-                agaa_lightDirection(agaa_nearestToLight(d, s.normal, agaa_positionSpread), light.radius * light.radius);
+                agaa_lightDirection(agaa_nearestToLight(d, normal, agaa_positionSpread), light.radius * light.radius);
     }
     uint map = light.shadowMap;
     if (map < AGAA_MAX_SHADOW_MAPS)
         intensity *= agaa_visibility[map];
-    if (intensity <= 0.0)
-        return vec3(0.0);
-#if AGAA_LIT
-    // The index is a constant, so that surfaces stay in registers.
-    for (uint k = 0u; k < AGAA_MAX_SHADOW_MAPS; ++k)
-        if (agaa_isLitShadow(k) && map == k)
-            s = agaa_litSurface[k];
-#endif
+    return agaa_Incidence(toLight, intensity, map);
+}
+
+// Returns the light that the library's model reflects, for unit radiance.
+vec3 agaa_builtInReflect(agaa_Surface s, vec3 toLight, vec3 toEye) {
     uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
     uint filterDiffuse = agaa_hasFact(AGAA_FACT_NO_DIFFUSE) ? 0u : AGAA_FILTER_DIFFUSE;
     vec3 reflected = agaa_shadeDiffuse(s, toLight, filterDiffuse);
@@ -171,19 +151,7 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
         vec3 both = agaa_shade(s, toEye, toLight, AGAA_BRDF, filterDiffuse, elliptic);
         reflected = agaa_leavesOut(AGAA_FACT_SPECULAR) ? reflected : both;
     }
-    return reflected * light.color * intensity;
-}
-
-// Sums the lights in the order of the frame, so that culling does not change the result.
-vec3 agaa_sumOfLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
-    const uint count = agaa_lightBuffer.shadows[0].lightCount;
-    agaa_count(AGAA_COUNT_LIGHTS, count);
-    uint i = 0u;
-    do {
-        if (i < count)
-            sum += agaa_oneLight(s, position, toEye, i);
-    } while (++i < count);
-    return sum;
+    return reflected;
 }
 
 #ifdef AGAA_FINDS_LIGHTS
@@ -198,7 +166,6 @@ uint agaa_lightMask = 0u; // index of the first word of the event's tile
 void agaa_seekTile(uvec2 pixel) { agaa_lightMask = agaa_lightMaskAt(pixel / 8u); }
 uint agaa_lightWord(uint i) { return agaa_lightMasks.words[agaa_lightMask + i]; }
 #endif
-
 #if defined(AGAA_FINDS_LIGHTS) || defined(AGAA_BINDING_LIGHT_MASKS)
 #define AGAA_CULLS_LIGHTS
 // Chooses the lights of the events of this pixel.
@@ -207,7 +174,45 @@ void agaa_lightPixel(uvec2 pixel) {
     if (AGAA_LIGHT_WORDS != 0u && AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_LIT) // which shows visibility without light, too
         agaa_reachingShadows = agaa_lightWord(AGAA_LIGHT_WORDS);
 }
+#endif
 
+#ifdef AGAA_HOST_SHADING
+#include "common/shade_by_host.glsl"
+#else
+vec3 agaa_reflect(agaa_Surface s, vec3 position, vec3 toLight, vec3 toEye) {
+    return agaa_builtInReflect(s, toLight, toEye);
+}
+#endif
+
+#if !AGAA_HOST_SHADES_EVENTS
+vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
+    agaa_Incidence incidence = agaa_incidenceOf(index, position, s.normal);
+    if (incidence.intensity <= 0.0)
+        return vec3(0.0);
+#if AGAA_LIT
+    // The index is a constant, so that surfaces stay in registers.
+    for (uint k = 0u; k < AGAA_MAX_SHADOW_MAPS; ++k)
+        if (agaa_isLitShadow(k) && incidence.shadow == k)
+            s = agaa_litSurface[k];
+#endif
+    vec3 reflected = agaa_reflect(s, position, incidence.toLight, toEye);
+    return reflected * agaa_lightBuffer.lights[index].color * incidence.intensity;
+}
+
+// Sums the lights in the order of the frame, so that culling does not change the result.
+vec3 agaa_sumOfLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
+    const uint count = agaa_lightBuffer.shadows[0].lightCount;
+    agaa_count(AGAA_COUNT_LIGHTS, count);
+    uint i = 0u;
+    do {
+        if (i < count)
+            sum += agaa_oneLight(s, position, toEye, i);
+    } while (++i < count);
+    return sum;
+}
+
+
+#ifdef AGAA_CULLS_LIGHTS
 vec3 agaa_sumOfReachingLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
     uint word = 0u;
     do {
@@ -232,6 +237,9 @@ vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
 #endif
     return agaa_sumOfLights(s, position, toEye, sum);
 }
+#else
+vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) { return agaa_shadeByHost(s, position); }
+#endif
 
 // Measurements of shading cost repeat the lighting AGAA_SHADING_COST times. agaa_frame.zero keeps compilers from
 // merging the repetitions.

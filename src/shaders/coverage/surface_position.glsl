@@ -45,6 +45,7 @@ float agaa_spreadOfSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 posit
 // Finds the spread of the surface, and the visibility by shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly
 // chosen, or at their centroid.
 void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
+    agaa_setEvent(pixel, mask);
     if (!agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS))
         agaa_setSpread(agaa_spreadOfSurface(pixel, shown, mask, position), position);
 #if AGAA_SHADOWS

@@ -27,6 +27,7 @@ void agaa_findSpread(uvec2 pixel, uint i, uint mask) {
 // mask   One or more samples with geometry.
 void agaa_findVisibility(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
+    agaa_setEvent(pixel, uvec4(mask, 0u, 0u, 0u));
 #if AGAA_SHADOWS
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] = 0.0;

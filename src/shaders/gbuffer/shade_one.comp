@@ -69,11 +69,10 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     agaa_findVisibility(pixel, agaa_representedSamples[lane]);
     agaa_findSpread(pixel, i, agaa_representedSamples[lane]);
     agaa_fetchSample(pixel, i);
-    const agaa_Surface s = agaa_sampleSurface();
-    if (agaa_showsEvents())
-        return agaa_shownOfEvent(0u, 0.0, s.diffuse);
-    const vec3 emission = agaa_leavesOut(AGAA_FACT_EMISSIVE) ? vec3(0.0) : s.emissive;
-    return max(agaa_lightSurface(s, agaa_samplePosition(pixel, i)) - emission, vec3(0.0));
+    agaa_Surface s = agaa_sampleSurface();
+    s.emissive = vec3(0.0);
+    return agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)
+                              : agaa_lightSurface(s, agaa_samplePosition(pixel, i));
 }
 
 void main() {

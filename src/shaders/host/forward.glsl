@@ -9,6 +9,10 @@
 layout(early_fragment_tests) in; // hidden fragments are neither shaded nor counted
 void agaa_count(uint counter, uint amount) { agaa_countFragment(counter, amount); }
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
+#ifdef AGAA_HOST_SHADING
+#include "common/host_shading.glsl"
+#include "host-code"
+#endif
 #include "common/lighting.glsl"
 #include "gbuffer/forward_color.glsl"
 
@@ -25,6 +29,13 @@ agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
     return surface;
 }
 
+// Returns the bits that the fragment's covered samples have in its pixel.
+uint agaa_coveredSamples() {
+    uvec2 scale = uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+    uvec2 texel = uvec2(gl_FragCoord.xy) % scale;
+    return uint(gl_SampleMaskIn[0]) << (texel.y * scale.x + texel.x) * uint(AGAA_HW_SAMPLES);
+}
+
 void agaa_emit(AgaaSurfaceInput s) {
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | (agaa_isFinite3(s.position) ? 0u : 1u);
     bool mayReachFarPlane = agaa_mayReachFarPlane();
@@ -39,6 +50,8 @@ void agaa_emit(AgaaSurfaceInput s) {
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, s.position);
 #endif
+        agaa_setEvent(uvec2(gl_FragCoord.xy) / uvec2(AGAA_SCALE_X, AGAA_SCALE_Y),
+                      uvec4(agaa_coveredSamples(), 0u, 0u, 0u));
         vec3 color = agaa_representableColor(agaa_lightSurface(agaa_forwardSurface(s), s.position));
         agaa_out0 = vec4(mayReachFarPlane ? agaa_markFarPlane(color) : color, 1.0);
     }

@@ -46,7 +46,7 @@ rvec3 agaa_representableColor(rvec3 color) {
 // Returns radiance in [0, range]. Brighter emission is scaled so that its largest channel is `range`, because clamping
 // each channel would shift its hue.
 rvec3 agaa_sanitiseEmission(rvec3 v, real range, INOUT(uint) bad) {
-    const rvec3 e = agaa_sanitise3(v, real(0.0), real(3.402823e38), bad);
+    const rvec3 e = agaa_sanitise3(v, real(0.0), AGAA_MAX_FLOAT, bad);
     const real largest = max(e.x, max(e.y, e.z));
     // There is no branch, because lavapipe of Mesa 22.3 compiles a shader anew for each uniform value in its branches.
     const rvec3 hue = agaa_quotient3(e, max(largest, range));

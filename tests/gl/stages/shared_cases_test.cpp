@@ -26,6 +26,7 @@
 #include "plan_cases.h"
 #include "pulling_cases.h"
 #include "raster_order_cases.h"
+#include "shading_function_cases.h"
 #include "shadow_function_cases.h"
 #include "validation_cases.h"
 #include "variant_cases.h"
@@ -59,6 +60,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LaneCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LeftHandedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DebugViewCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ShadingFunctionCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ShadowFunctionCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, VariantCases, OpenGLHost);
 

@@ -26,6 +26,7 @@
 #include "plan_cases.h"
 #include "pulling_cases.h"
 #include "raster_order_cases.h"
+#include "shading_function_cases.h"
 #include "shadow_function_cases.h"
 #include "validation_cases.h"
 #include "variant_cases.h"
@@ -61,6 +62,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LaneCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LeftHandedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ShadingFunctionCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ShadowFunctionCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, VariantCases, VulkanHost);
 

@@ -136,6 +136,8 @@ std::vector<HeaderCase> inputs() {
                     [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).fetch); }),
         chainedCase("AgaaShadowFunction", linkView,
                     [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).shadow); }),
+        chainedCase("AgaaShadingFunction", linkView,
+                    [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).shading); }),
         {"AgaaDeviceCaps", "agaaQueryMemory",
          [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).caps); },
          [](Test& test, void* structure, const AgaaLog* log) {

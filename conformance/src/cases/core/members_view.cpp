@@ -80,6 +80,7 @@ void setPosition(ViewParts& parts, double x) {
 void addFunctions(Suite& suite) {
     const auto gbuffer = [](ViewParts& p) { p.chain(p.gbuffer); };
     const auto fetch = [](ViewParts& p) { p.chain(p.fetch); };
+    const auto shading = [](ViewParts& p) { p.chain(p.shading); };
     const auto shadow = [](ViewParts& p) {
         p.facts.shadowMapCount = 1;
         p.chain(p.shadow);
@@ -136,6 +137,19 @@ void addFunctions(Suite& suite) {
                       {0},
                       largeNumbers({}),
                       shadow,
+                      {1}});
+    addMember(suite, {"AgaaShadingFunction.level/range",
+                      "AgaaShadingFunction::level",
+                      [](ViewParts& p, double x) { p.shading.level = whole(x); },
+                      {AGAA_SHADING_REFLECTANCE, AGAA_SHADING_EVENT},
+                      largeNumbers({2}),
+                      shading});
+    addMember(suite, {"AgaaShadingFunction.reserved/zero",
+                      "AgaaShadingFunction::reserved",
+                      [](ViewParts& p, double x) { p.shading.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      shading,
                       {1}});
 }
 
@@ -205,6 +219,8 @@ void addViewMemberCases(Suite& suite) {
                [](Test& test) { testExtensions(test, &ViewParts::fetch, "AgaaFetchFunction"); });
     suite.core("AgaaShadowFunction" + invalid,
                [](Test& test) { testExtensions(test, &ViewParts::shadow, "AgaaShadowFunction"); });
+    suite.core("AgaaShadingFunction" + invalid,
+               [](Test& test) { testExtensions(test, &ViewParts::shading, "AgaaShadingFunction"); });
     suite.core("AgaaGBufferFunction.samplePositions/of_one_sample", [](Test& test) {
         static const float positions[] = {0.5f, 0.5f, NAN, NAN};
         ViewParts parts(test.sdk, nullptr);

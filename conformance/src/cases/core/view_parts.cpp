@@ -8,6 +8,7 @@ namespace {
 
 constexpr const char* hostSample =
     "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }\n";
+constexpr const char* hostShade = "vec3 agaaShade(AgaaSurface surface) { return surface.diffuse; }\n";
 constexpr const char* hostShadow = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }\n";
 
 AgaaResult queryMemory(const Functions& sdk, const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log) {
@@ -55,10 +56,13 @@ ViewParts::ViewParts(const Functions& sdk, const Device* device) : ViewDescripti
     sdk.agaaGetBuiltinLayout("precise", &layout);
     sdk.agaaInitGBufferFunction(&gbuffer, sizeof gbuffer);
     sdk.agaaInitShadowFunction(&shadow, sizeof shadow);
+    sdk.agaaInitShadingFunction(&shading, sizeof shading);
     sdk.agaaInitAggregation(&spare, sizeof spare);
     gbuffer.glsl = hostSample;
     fetch = emptyFetch();
     shadow.glsl = hostShadow;
+    shading.glsl = hostShade;
+    shading.level = AGAA_SHADING_EVENT;
     shadow.shadows = 1;
     caps = idealCaps();
 }

@@ -13,6 +13,7 @@ struct ViewParts : ViewDescription {
     AgaaGBufferFunction gbuffer; // chain() chains it to desc
     AgaaFetchFunction fetch;     // functions without a scene
     AgaaShadowFunction shadow;
+    AgaaShadingFunction shading;
     AgaaDeviceCaps caps;   // an ideal device; devices do not read it
     AgaaAggregation spare; // second struct of its type in a chain
     bool isNull = false;   // the description is null

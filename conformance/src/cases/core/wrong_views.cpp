@@ -34,6 +34,10 @@ void addNulls(Rows& rows) {
                         p.chain(p.shadow);
                         p.shadow.glsl = nullptr;
                     }});
+    rows.push_back({"AgaaShadingFunction::glsl = null", AGAA_ERROR_INVALID_ARGUMENT, "glsl", [](ViewParts& p) {
+                        p.chain(p.shading);
+                        p.shading.glsl = nullptr;
+                    }});
 }
 
 void addStructs(Rows& rows) {
@@ -118,6 +122,10 @@ void addRanges(Rows& rows) {
         p.facts.shadowMapCount = 1;
         p.chain(p.shadow);
         p.shadow.reserved = 0x7FFFFFFF;
+    });
+    add("AgaaShadingFunction::level = 2", "level", [](ViewParts& p) {
+        p.chain(p.shading);
+        p.shading.level = 2;
     });
 }
 

@@ -41,6 +41,10 @@ Rows deviceRows(const AgaaDeviceCaps& caps, Backend backend) {
             withShadow(p);
             p.shadow.glsl = text;
         });
+        add("an AgaaShadingFunction" + shown, invalid, "AgaaShadingFunction", [=](ViewParts& p) {
+            p.chain(p.shading);
+            p.shading.glsl = text;
+        });
     }
     for (const char* lines : {"#define A 1", "#extension GL_AGAA_no_such_extension : require"})
         add(std::string("AgaaShadowFunction::glslExtensions = ") + lines, invalid, "glslExtensions", [=](ViewParts& p) {

@@ -1,0 +1,18 @@
+// GLSL for shading functions of the host: the macros of src/shaders/common/host_code.glsl and lighting.glsl.
+#pragma once
+
+#include "core/view/view_settings.h"
+
+#include <string>
+
+namespace agaa {
+
+// Returns empty text if the view has no AgaaShadingFunction.
+inline std::string shadingFunctionGlsl(const ViewSettings& view) {
+    if (!view.shadingFunction)
+        return {};
+    return std::string("#define AGAA_HOST_SHADING 1\n#define AGAA_HOST_SHADES_EVENTS ") +
+           (view.hostShadesEvents ? "1\n" : "0\n");
+}
+
+} // namespace agaa

@@ -1,0 +1,125 @@
+// Shading by a function of the host, and what it may call. Needs common/host_shading.glsl, the host's text and what
+// common/lighting.glsl declares before it includes this file.
+#ifndef AGAA_SHADE_BY_HOST_GLSL
+#define AGAA_SHADE_BY_HOST_GLSL
+#ifndef AGAA_HOST_SHADING_GLSL
+#error "shade_by_host.glsl needs host_shading.glsl."
+#endif
+
+AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position) {
+    AgaaSurface surface;
+    surface.diffuse = agaa_hasFact(AGAA_FACT_NO_DIFFUSE) ? vec3(0.0) : s.diffuse;
+    surface.specular = AGAA_HAS_SPECULAR == 0u || agaa_leavesOut(AGAA_FACT_SPECULAR) ? vec3(0.0) : s.specular;
+    surface.emissive = agaa_leavesOut(AGAA_FACT_EMISSIVE) ? vec3(0.0) : s.emissive;
+    surface.normal = s.normal;
+    surface.normalLength = s.meanLength;
+    surface.alpha2 = s.alpha2;
+    surface.alpha2Along = max(s.alpha2Along, s.alpha2);
+    surface.axis = s.alpha2Along > s.alpha2 ? s.axis : vec3(0.0);
+    surface.position = position;
+    surface.positionSpread = agaa_positionSpread;
+    surface.pixel = agaa_event.pixel;
+    surface.samples = agaa_event.samples;
+    surface.coverage = agaa_event.coverage;
+    surface.shadows = AGAA_SHADOWS != 0 ? agaa_reachingShadows & ((1u << AGAA_SHADOW_MAPS) - 1u) : 0u;
+    return surface;
+}
+
+agaa_Surface agaa_surfaceFromHost(AgaaSurface s) {
+    return agaa_Surface(s.diffuse, s.specular, s.emissive, s.normal, s.normalLength, s.alpha2, s.alpha2Along, s.axis);
+}
+
+// Contains values that are not finite, and counts their event.
+vec3 agaa_contained(vec3 color) {
+    uint bad = 0u;
+    color = agaa_sanitise3(color, 0.0, AGAA_MAX_FLOAT, bad);
+    agaa_count(AGAA_COUNT_SANITISED, bad);
+    return color;
+}
+
+vec3 agaaToEye(vec3 position) { return agaa_toEye(position); }
+
+vec3 agaaAmbient() {
+    return AGAA_HAS_AMBIENT == 0u || agaa_leavesOut(AGAA_FACT_AMBIENT) ? vec3(0.0) : agaa_frame.ambient;
+}
+
+vec3 agaaBuiltInReflect(AgaaSurface surface, vec3 toLight, vec3 toEye) {
+    return agaa_builtInReflect(agaa_surfaceFromHost(surface), toLight, toEye);
+}
+
+float agaaShadow(uint shadow) {
+    float share = 1.0;
+#if AGAA_SHADOWS
+    // The index is a constant, so that shares stay in registers.
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        share = map == shadow ? agaa_visibility[map] : share;
+#endif
+    return share;
+}
+
+float agaaShadowAt(uint shadow, vec3 position) {
+    return AGAA_SHADOWS != 0 && shadow < AGAA_SHADOW_MAPS ? agaa_shadowTap(shadow, position) : 1.0;
+}
+
+AgaaSurface agaaLitPart(AgaaSurface surface, AgaaIncidentLight light) {
+#if AGAA_LIT
+    for (uint k = 0u; k < AGAA_MAX_SHADOW_MAPS; ++k)
+        if (agaa_isLitShadow(k) && light.shadow == k)
+            surface = agaa_surfaceForHost(agaa_litSurface[k], surface.position);
+#endif
+    return surface;
+}
+
+AgaaLights agaaLights() { return AgaaLights(0u, 0u); }
+
+// Finds the number of the next light, whether it reaches the event or not. `word` is the number of the next word of
+// masks, or of the next light without masks.
+bool agaa_nextIndex(inout AgaaLights lights, out uint index) {
+    index = 0u;
+#ifdef AGAA_CULLS_LIGHTS
+    if (AGAA_LIGHT_WORDS != 0u) {
+        while (lights.left == 0u && lights.word < agaa_opaque(AGAA_LIGHT_WORDS)) {
+            lights.left = agaa_lightWord(lights.word);
+            agaa_count(AGAA_COUNT_LIGHTS, uint(bitCount(lights.left)));
+            ++lights.word;
+        }
+        if (lights.left == 0u)
+            return false;
+        index = 32u * (lights.word - 1u) + uint(findLSB(lights.left));
+        lights.left &= lights.left - 1u;
+        return true;
+    }
+#endif
+    if (lights.word >= agaa_lightBuffer.shadows[0].lightCount)
+        return false;
+    index = lights.word++;
+    agaa_count(AGAA_COUNT_LIGHTS, 1u);
+    return true;
+}
+
+bool agaaNextLight(inout AgaaLights lights, AgaaSurface surface, out AgaaIncidentLight light) {
+    light = AgaaIncidentLight(vec3(0.0), vec3(0.0), 0u, 0u);
+    // The loop has one exit: lavapipe of Mesa 22.3 skips lights if it has a `return` and a `continue`.
+    bool isFound = false;
+    uint index;
+    while (!isFound && agaa_nextIndex(lights, index)) {
+        agaa_Incidence incidence = agaa_incidenceOf(index, surface.position, surface.normal);
+        light.toLight = incidence.toLight;
+        light.radiance = agaa_lightBuffer.lights[index].color * incidence.intensity;
+        light.index = index;
+        light.shadow = incidence.shadow;
+        isFound = incidence.intensity > 0.0;
+    }
+    return isFound;
+}
+
+#if !AGAA_HOST_SHADES_EVENTS
+vec3 agaa_reflect(agaa_Surface s, vec3 position, vec3 toLight, vec3 toEye) {
+    return agaa_contained(agaaReflect(agaa_surfaceForHost(s, position), toLight, toEye));
+}
+#else
+vec3 agaa_shadeByHost(agaa_Surface s, vec3 position) {
+    return agaa_contained(agaaShade(agaa_surfaceForHost(s, position)));
+}
+#endif
+#endif

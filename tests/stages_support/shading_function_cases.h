@@ -1,0 +1,281 @@
+// Shading by a function of the host's, in every technique and tier: the library's model through it shows the same
+// image, events know what they represent, and results are contained. Each graphics API instantiates these.
+#pragma once
+
+#include "agreement.h"
+#include "hard_case_test.h"
+#include "setting_share.h"
+#include "technique_tiers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace agaa::test {
+
+// The library's model as functions of a host.
+constexpr const char* builtInReflectance = "vec3 agaaReflect(AgaaSurface surface, vec3 toLight, vec3 toEye) {\n"
+                                           "    return agaaBuiltInReflect(surface, toLight, toEye);\n"
+                                           "}\n";
+constexpr const char* builtInEvent = R"(
+vec3 agaaShade(AgaaSurface surface) {
+    vec3 toEye = agaaToEye(surface.position);
+    vec3 sum = surface.emissive + agaaAmbient() * (surface.diffuse + surface.specular);
+    AgaaLights lights = agaaLights();
+    AgaaIncidentLight light;
+    while (agaaNextLight(lights, surface, light))
+        sum += agaaBuiltInReflect(agaaLitPart(surface, light), light.toLight, toEye) * light.radiance;
+    return sum;
+}
+)";
+// Lambert's law, and GGX with Smith's term for one roughness, in the textbook's form.
+constexpr const char* textbookReflectance = R"(
+vec3 agaaReflect(AgaaSurface surface, vec3 toLight, vec3 toEye) {
+    const float pi = 3.14159265;
+    float l = max(dot(surface.normal, toLight), 0.0), v = clamp(dot(surface.normal, toEye), 1e-4, 1.0);
+    if (l <= 0.0)
+        return vec3(0.0);
+    vec3 h = normalize(toLight + toEye);
+    float n = clamp(dot(surface.normal, h), 0.0, 1.0);
+    float a2 = surface.alpha2, d = n * n * (a2 - 1.0) + 1.0;
+    float smith = 0.5 / (l * sqrt(a2 + (1.0 - a2) * v * v) + v * sqrt(a2 + (1.0 - a2) * l * l));
+    vec3 fresnel = surface.specular + (1.0 - surface.specular) * pow(1.0 - clamp(dot(toEye, h), 0.0, 1.0), 5.0);
+    return (surface.diffuse / pi + fresnel * a2 / (pi * d * d) * smith) * l;
+}
+)";
+
+inline AgaaShadingFunction shadingFunction(const char* glsl, AgaaShadingLevel level) {
+    AgaaShadingFunction function = AGAA_SHADING_FUNCTION_INIT;
+    function.glsl = glsl;
+    function.level = level;
+    return function;
+}
+
+template <class Host> class ShadingFunctionCases : public testing::Test {
+protected:
+    Shot shot(uint32_t lights = 12) const {
+        const RandomScene scene = {.triangles = 150, .duplicates = 0.1f, .masked = 0.2f};
+        return {.triangles = settleTies(randomTriangles(scene, 61), context.caps()),
+                .lights = manyLights(lights, 4, 5),
+                .change = addAmbient};
+    }
+
+    static ViewSettings settingsOf(const TechniqueTier& tier, uint32_t lights = 12) {
+        ViewSettings settings;
+        apply(tier, settings);
+        settings.facts.maxLights = lights;
+        settings.facts.shadowMapCount = 0;
+        if (tier.isBatched) {
+            settings.width = batchedExtent.x;
+            settings.height = batchedExtent.y;
+        }
+        return settings;
+    }
+
+    Shown showWith(ViewSettings settings, const Shot& shot, const char* glsl, AgaaShadingLevel level) {
+        const AgaaShadingFunction function = shadingFunction(glsl, level);
+        if (glsl)
+            settings.chained = &function;
+        return show(context, settings, shot);
+    }
+
+    // Rounding may differ, because compilers contract other products.
+    static double largestDifference(const std::vector<float>& a, const std::vector<float>& b) {
+        double largest = 0;
+        for (size_t i = 0; i < a.size(); ++i)
+            largest = std::max(largest, std::fabs(double(a[i]) - double(b[i])) / (1 + std::fabs(double(b[i]))));
+        return largest;
+    }
+
+    typename Host::Context context;
+};
+TYPED_TEST_SUITE_P(ShadingFunctionCases);
+
+TYPED_TEST_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame) {
+    const Shot shot = this->shot();
+    for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
+        const bool hasBothLevels = setting % 3 == 0 || tier.technique == std::string("msaa");
+        const bool isRendered = rendersSetting<TypeParam>(setting++) || tier.technique == std::string("msaa");
+        // Batches, mixed draws and fine materials change what is shaded, not how.
+        const bool shadesAsOthers = tier.isBatched || tier.isMixed || tier.flags == AGAA_CONFIG_FINE_MATERIALS;
+        if (!isRendered || shadesAsOthers || !runs(tier, this->context.caps()))
+            continue;
+        SCOPED_TRACE(tier);
+        const ViewSettings settings = this->settingsOf(tier);
+        const Shown builtIn = this->showWith(settings, shot, nullptr, AGAA_SHADING_EVENT);
+        EXPECT_GT(sumOf(builtIn.rgb), 0);
+        for (const auto& [glsl, level] :
+             {std::pair{builtInReflectance, AGAA_SHADING_REFLECTANCE}, {builtInEvent, AGAA_SHADING_EVENT}}) {
+            if (level == AGAA_SHADING_REFLECTANCE && !hasBothLevels)
+                continue;
+            const Shown shown = this->showWith(settings, shot, glsl, level);
+            EXPECT_LE(this->largestDifference(shown.rgb, builtIn.rgb), 1e-6) << "level " << level;
+            EXPECT_EQ(shown.counters.shadingEvents, builtIn.counters.shadingEvents);
+            EXPECT_EQ(shown.counters.lightEvaluations, builtIn.counters.lightEvaluations);
+            EXPECT_EQ(shown.counters.sanitised, builtIn.counters.sanitised);
+        }
+    }
+}
+
+// Shadows of the frame reach both levels, and the part that the light reaches with lit aggregates.
+TYPED_TEST_P(ShadingFunctionCases, ShadowsAreThoseOfTheLibrary) {
+    AgaaShadowFunction shadows = AGAA_SHADOW_FUNCTION_INIT;
+    shadows.glsl =
+        "float agaaHostShadow(uint shadow, vec3 position) { return fract(position.x + position.y) > 0.5 ? 1.0 : 0.0; }";
+    shadows.shadows = 1;
+    const AgaaShadow shadow{};
+    Shot shot = this->shot();
+    shot.lights[0].shadowMap = 0;
+    shot.change = [&](AgaaFrame& frame) {
+        addAmbient(frame);
+        frame.shadows = &shadow;
+        frame.shadowCount = 1;
+    };
+    for (size_t setting = 0; const bool isLit : {false, true})
+        for (const TechniqueTier& tier : {TechniqueTier{.technique = "agaa", .n = 8, .tier = AGAA_TIER_GBUFFER},
+                                          TechniqueTier{.technique = "agaa", .n = 8, .tier = AGAA_TIER_IDS},
+                                          TechniqueTier{.technique = "agaa", .n = 64, .tier = AGAA_TIER_FRAGMENTS}}) {
+            if (!rendersSetting<TypeParam>(setting++))
+                continue;
+            SCOPED_TRACE(tier);
+            ViewSettings settings = this->settingsOf(tier);
+            settings.facts.shadowMapCount = 1;
+            settings.config.aggregation.litShadows = isLit;
+            settings.chained = &shadows;
+            const Shown builtIn = show(this->context, settings, shot);
+            for (const auto& [glsl, level] :
+                 {std::pair{builtInReflectance, AGAA_SHADING_REFLECTANCE}, {builtInEvent, AGAA_SHADING_EVENT}}) {
+                AgaaShadingFunction function = shadingFunction(glsl, level);
+                function.pNext = &shadows;
+                settings.chained = &function;
+                const Shown shown = show(this->context, settings, shot);
+                EXPECT_LE(this->largestDifference(shown.rgb, builtIn.rgb), 1e-6) << "level " << level;
+                EXPECT_EQ(shown.counters.shadowTaps, builtIn.counters.shadowTaps);
+            }
+        }
+}
+
+// A model of the host's own against the library's, at samples, whose normals have no spread.
+TYPED_TEST_P(ShadingFunctionCases, TheTextbooksModelAgrees) {
+    const Shot shot = this->shot();
+    for (const TechniqueTier& tier : {TechniqueTier{.technique = "ssaa", .n = 4}, {.technique = "msaa", .n = 4}}) {
+        SCOPED_TRACE(tier);
+        ViewSettings settings = this->settingsOf(tier);
+        settings.config.brdf = AGAA_BRDF_GGX;
+        // The textbook's denominator cancels for narrow lobes, and its cosine is 0 behind the surface.
+        settings.surface = "s.alpha2 = max(s.alpha2, 0.05); "
+                           "s.normal = dot(s.normal, s.position) > 0.0 ? -s.normal : s.normal;";
+        const Shown builtIn = this->showWith(settings, shot, nullptr, AGAA_SHADING_EVENT);
+        const Shown own = this->showWith(settings, shot, textbookReflectance, AGAA_SHADING_REFLECTANCE);
+        EXPECT_LE(this->largestDifference(own.rgb, builtIn.rgb), 1e-4);
+    }
+}
+
+// An event that returns 1/coverage adds one to its pixel, and the coverages of a pixel's events add up to its share of
+// covered samples.
+TYPED_TEST_P(ShadingFunctionCases, EventsKnowWhatTheyRepresent) {
+    const char* const glsl = "vec3 agaaShade(AgaaSurface s) {\n"
+                             "    ivec4 bits = bitCount(s.samples);\n"
+                             "    return vec3(1.0, float(bits.x + bits.y + bits.z + bits.w), "
+                             "float(s.pixel.x + 100u * s.pixel.y)) / s.coverage;\n}\n";
+    Shot shot = this->shot(1);
+    shot.change = {};
+    for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
+        const std::string technique = tier.technique;
+        // These filter images, weigh events by more than coverage, or cover what later fragments hide.
+        if (technique == "fxaa" || technique == "smaa" || technique == "msaa" || technique == "visibility" ||
+            technique == "adaptive" || tier.isBatched || !rendersSetting<TypeParam>(setting++) ||
+            !runs(tier, this->context.caps()))
+            continue;
+        SCOPED_TRACE(tier);
+        const ViewSettings settings = this->settingsOf(tier, 1);
+        const Shown shown = this->showWith(settings, shot, glsl, AGAA_SHADING_EVENT);
+        double events = 0, samples = 0;
+        for (size_t i = 0; i < shown.rgb.size(); i += 3) {
+            events += double(shown.rgb[i]);
+            samples += double(shown.rgb[i + 1]);
+            const size_t pixel = i / 3 % settings.width + 100 * (i / 3 / settings.width);
+            EXPECT_NEAR(double(shown.rgb[i + 2]), double(pixel) * double(shown.rgb[i]), 1e-4 * double(pixel));
+        }
+        EXPECT_NEAR(events, double(shown.counters.shadingEvents), 1e-4 * events);
+        EXPECT_NEAR(samples, double(shown.counters.visible), 1e-4 * samples);
+        EXPECT_GT(events, 100);
+    }
+}
+
+TYPED_TEST_P(ShadingFunctionCases, ResultsAreContainedAndCounted) {
+    Shot shot = this->shot(1);
+    shot.change = {};
+    shot.lights = {sun()};
+    const auto reflectance = [&](const char* result) {
+        return std::string("vec3 agaaReflect(AgaaSurface s, vec3 toLight, vec3 toEye) { return vec3(") + result +
+               "); }\n";
+    };
+    const auto event = [&](const char* result) {
+        return std::string("vec3 agaaShade(AgaaSurface s) { return vec3(") + result + "); }\n";
+    };
+    const char* const notANumber = "(s.alpha2 - s.alpha2) / (s.alpha2 - s.alpha2)";
+    for (const TechniqueTier& tier : {TechniqueTier{.technique = "agaa", .n = 4}, {.technique = "msaa", .n = 4}}) {
+        SCOPED_TRACE(tier);
+        const ViewSettings settings = this->settingsOf(tier, 1);
+        const Shown dark = this->showWith(settings, shot, event("0.0").c_str(), AGAA_SHADING_EVENT);
+        EXPECT_EQ(sumOf(dark.rgb), 0);
+        const Shown bad = this->showWith(settings, shot, event(notANumber).c_str(), AGAA_SHADING_EVENT);
+        EXPECT_EQ(bad.rgb, dark.rgb);
+        EXPECT_EQ(bad.counters.sanitised, dark.counters.sanitised + bad.counters.shadingEvents);
+        EXPECT_EQ(this->showWith(settings, shot, event("-2.0").c_str(), AGAA_SHADING_EVENT).rgb, dark.rgb);
+        const Shown bright = this->showWith(settings, shot, event("1e38").c_str(), AGAA_SHADING_EVENT);
+        EXPECT_EQ(nonFinite(bright.rgb), 0u);
+        const Shown unlit = this->showWith(settings, shot, reflectance("0.0").c_str(), AGAA_SHADING_REFLECTANCE);
+        const Shown badLobe = this->showWith(settings, shot, reflectance(notANumber).c_str(), AGAA_SHADING_REFLECTANCE);
+        EXPECT_EQ(badLobe.rgb, unlit.rgb);
+        EXPECT_GT(badLobe.counters.sanitised, unlit.counters.sanitised);
+    }
+    TypeParam::forgetMessages();
+}
+
+TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
+    struct Row {
+        const char* what;
+        AgaaResult code;
+        std::function<void(AgaaShadingFunction&)> spoil;
+    };
+    const Row rows[] = {
+        {"no text", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f) { f.glsl = nullptr; }},
+        {"does not compile", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f) { f.glsl = "float x = ;"; }},
+        {"no function", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f) { f.glsl = "float other;"; }},
+        {"the function of the other level", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f) { f.glsl = builtInReflectance; }},
+        {"another type", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto& f) { f.glsl = "float agaaShade(AgaaSurface s) { return 1.0; }"; }},
+        {"a name of the library", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto& f) {
+             f.glsl = "struct AgaaSurface { float x; };\nvec3 agaaShade(AgaaSurface s) { return vec3(1.0); }";
+         }},
+        {"level", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.level = 2; }},
+        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.reserved = 1; }},
+        {"size", AGAA_ERROR_STRUCT, [](auto& f) { f.structSize = 8; }},
+    };
+    for (const Row& row : rows) {
+        AgaaShadingFunction function = shadingFunction(builtInEvent, AGAA_SHADING_EVENT);
+        row.spoil(function);
+        ViewSettings settings;
+        settings.chained = &function;
+        expectRefused(this->context, settings, row.code, row.what);
+    }
+    // Messages of the compiler count the host's lines.
+    const AgaaShadingFunction function =
+        shadingFunction("vec3 agaaShade(AgaaSurface s) {\n    return s.noSuchMember;\n}\n", AGAA_SHADING_EVENT);
+    ViewSettings settings;
+    settings.chained = &function;
+    const std::string text = expectRefused(this->context, settings, AGAA_ERROR_INVALID_ARGUMENT, "no such member");
+    EXPECT_NE(text.find("AgaaShadingFunction::glsl"), std::string::npos) << text;
+    EXPECT_TRUE(text.find("0:2") != std::string::npos || text.find(":2(") != std::string::npos) << text;
+    TypeParam::forgetMessages();
+}
+
+REGISTER_TYPED_TEST_SUITE_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame, ShadowsAreThoseOfTheLibrary,
+                            TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent, ResultsAreContainedAndCounted,
+                            BadOnesAreRefusedInASentence);
+
+} // namespace agaa::test
