@@ -25,7 +25,8 @@ vec3 agaaShade(AgaaSurface surface) {
     AgaaLights lights = agaaLights();
     AgaaIncidentLight light;
     while (agaaNextLight(lights, surface, light))
-        sum += agaaBuiltInReflect(agaaLitPart(surface, light), light.toLight, toEye) * light.radiance;
+        if (light.radiance != vec3(0.0))
+            sum += agaaBuiltInReflect(agaaLitPart(surface, light), light.toLight, toEye) * light.radiance;
     return sum;
 }
 )";

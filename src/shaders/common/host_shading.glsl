@@ -32,13 +32,13 @@ struct AgaaIncidentLight {
     uint shadow;   // AgaaLight::shadowMap
 };
 
-// Lights that reach an event, in the order of the frame.
+// Lights that reach the tile of an event, in the order of the frame.
 struct AgaaLights {
     uint word;
     uint left;
 };
 AgaaLights agaaLights();
-// Finds the next light whose radiance is not 0. Returns false after the last one.
+// Finds the next light. Returns false after the last one. Skip those whose radiance is 0: they do not reach the event.
 bool agaaNextLight(inout AgaaLights lights, AgaaSurface surface, out AgaaIncidentLight light);
 // Returns the part of the surface that the light reaches: means over the samples that are not in its shadow, with
 // AgaaAggregation::litShadows. Without, it is the surface.

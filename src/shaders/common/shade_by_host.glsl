@@ -72,10 +72,10 @@ AgaaSurface agaaLitPart(AgaaSurface surface, AgaaIncidentLight light) {
 
 AgaaLights agaaLights() { return AgaaLights(0u, 0u); }
 
-// Finds the number of the next light, whether it reaches the event or not. `word` is the number of the next word of
-// masks, or of the next light without masks.
+// Finds the number of the next light. `word` is the number of the next word of masks, or of the next light without
+// masks. A search for a light that reaches the event would be a loop in the host's loop, which lanes leave at different
+// lights.
 bool agaa_nextIndex(inout AgaaLights lights, out uint index) {
-    index = 0u;
 #ifdef AGAA_CULLS_LIGHTS
     if (AGAA_LIGHT_WORDS != 0u) {
         while (lights.left == 0u && lights.word < agaa_opaque(AGAA_LIGHT_WORDS)) {
@@ -83,34 +83,29 @@ bool agaa_nextIndex(inout AgaaLights lights, out uint index) {
             agaa_count(AGAA_COUNT_LIGHTS, uint(bitCount(lights.left)));
             ++lights.word;
         }
-        if (lights.left == 0u)
-            return false;
+        bool isThere = lights.left != 0u;
         index = 32u * (lights.word - 1u) + uint(findLSB(lights.left));
         lights.left &= lights.left - 1u;
-        return true;
+        return isThere;
     }
 #endif
-    if (lights.word >= agaa_lightBuffer.shadows[0].lightCount)
-        return false;
-    index = lights.word++;
-    agaa_count(AGAA_COUNT_LIGHTS, 1u);
-    return true;
+    index = lights.word;
+    bool isThere = index < agaa_lightBuffer.shadows[0].lightCount;
+    agaa_count(AGAA_COUNT_LIGHTS, isThere ? 1u : 0u);
+    lights.word += isThere ? 1u : 0u;
+    return isThere;
 }
 
 bool agaaNextLight(inout AgaaLights lights, AgaaSurface surface, out AgaaIncidentLight light) {
     light = AgaaIncidentLight(vec3(0.0), vec3(0.0), 0u, 0u);
-    // The loop has one exit: lavapipe of Mesa 22.3 skips lights if it has a `return` and a `continue`.
-    bool isFound = false;
-    uint index;
-    while (!isFound && agaa_nextIndex(lights, index)) {
-        agaa_Incidence incidence = agaa_incidenceOf(index, surface.position, surface.normal);
+    bool isThere = agaa_nextIndex(lights, light.index);
+    if (isThere) {
+        agaa_Incidence incidence = agaa_incidenceOf(light.index, surface.position, surface.normal);
         light.toLight = incidence.toLight;
-        light.radiance = agaa_lightBuffer.lights[index].color * incidence.intensity;
-        light.index = index;
+        light.radiance = agaa_lightBuffer.lights[light.index].color * max(incidence.intensity, 0.0);
         light.shadow = incidence.shadow;
-        isFound = incidence.intensity > 0.0;
     }
-    return isFound;
+    return isThere;
 }
 
 #if !AGAA_HOST_SHADES_EVENTS
