@@ -57,10 +57,10 @@ typedef struct AgaaLayoutAttribute {
     float range;            /* value of full scale, [1e-6, 65504]. It must be 1 for all semantics except EMISSIVE and
                                CUSTOM, and for AGAA_FILTER_NORMAL */
     uint32_t filter;        /* AgaaFilter for CUSTOM, 0 for all others */
-    /* CUSTOM: the name of the member of AgaaSurfaceInput, AgaaMaterial and AgaaAggregate, which is a float or a vec
-     * of `channels`. It has 1 to 31 letters, digits and single underscores. It begins with a letter, and not with
-     * gl_, agaa or AGAA. It is neither a GLSL keyword nor a member that these structs already have. Read during the
-     * call only. Null for all others. */
+    /* CUSTOM: the name of the member of AgaaSurfaceInput, AgaaMaterial, AgaaAggregate and, in views with an
+     * AgaaShadingFunction, AgaaSurface, which is a float or a vec of `channels`. It has 1 to 31 letters, digits and
+     * single underscores. It begins with a letter, and not with gl_, agaa or AGAA. It is neither a GLSL keyword nor a
+     * member that these structs already have. Read during the call only. Null for all others. */
     const char* name;
     uint64_t reserved[2]; /* 0 */
 } AgaaLayoutAttribute;

@@ -205,6 +205,30 @@ TYPED_TEST_P(ShadingFunctionCases, EventsKnowWhatTheyRepresent) {
     }
 }
 
+// An attribute of the host that is a copy of another has the same mean, to the rounding of 8 and 16 bits.
+TYPED_TEST_P(ShadingFunctionCases, CustomAttributesAreMeansAsOthers) {
+    const AgaaLayout layout = layoutWithVelocity();
+    Shot shot = this->shot(1);
+    shot.change = {};
+    shot.material = "m.velocity = m.diffuse.xy;";
+    for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
+        if (tier.layout || tier.isBatched || tier.isMixed || !runs(tier, this->context.caps()) ||
+            !(rendersSetting<TypeParam>(setting++) || tier.technique == std::string("msaa")))
+            continue;
+        SCOPED_TRACE(tier);
+        ViewSettings settings = this->settingsOf(tier, 1);
+        settings.config.layout = &layout;
+        settings.surface = "s.velocity = s.diffuse.xy;";
+        const auto shown = [&](const char* result) {
+            const std::string glsl = "vec3 agaaShade(AgaaSurface s) { return vec3(" + std::string(result) + "); }\n";
+            return this->showWith(settings, shot, glsl.c_str(), AGAA_SHADING_EVENT).rgb;
+        };
+        const std::vector<float> copies = shown("s.velocity, 0.0");
+        EXPECT_LE(this->largestDifference(copies, shown("s.diffuse.xy, 0.0")), 1.5 / 255);
+        EXPECT_GT(sumOf(copies), 100);
+    }
+}
+
 TYPED_TEST_P(ShadingFunctionCases, ResultsAreContainedAndCounted) {
     Shot shot = this->shot(1);
     shot.change = {};
@@ -264,6 +288,15 @@ TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
         settings.chained = &function;
         expectRefused(this->context, settings, row.code, row.what);
     }
+    AgaaLayout layout = layoutWithVelocity();
+    layout.attributes[layout.attributeCount - 1].name = "coverage";
+    const AgaaShadingFunction valid = shadingFunction(builtInEvent, AGAA_SHADING_EVENT);
+    ViewSettings taken;
+    taken.config.layout = &layout;
+    EXPECT_NO_THROW((typename TypeParam::View(this->context, taken)));
+    taken.chained = &valid;
+    const std::string sentence = expectRefused(this->context, taken, AGAA_ERROR_LAYOUT, "a name of a member");
+    EXPECT_NE(sentence.find("\"coverage\""), std::string::npos) << sentence;
     // Messages of the compiler count the host's lines.
     const AgaaShadingFunction function =
         shadingFunction("vec3 agaaShade(AgaaSurface s) {\n    return s.noSuchMember;\n}\n", AGAA_SHADING_EVENT);
@@ -276,7 +309,7 @@ TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame, ShadowsAreThoseOfTheLibrary,
-                            TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent, ResultsAreContainedAndCounted,
-                            BadOnesAreRefusedInASentence);
+                            TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent, CustomAttributesAreMeansAsOthers,
+                            ResultsAreContainedAndCounted, BadOnesAreRefusedInASentence);
 
 } // namespace agaa::test

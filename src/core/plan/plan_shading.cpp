@@ -2,6 +2,7 @@
 #include "core/plan/plan_builder.h"
 
 #include "core/base/error.h"
+#include "core/view/custom_glsl.h"
 #include "core/view/shading_glsl.h"
 
 #include "shaders/tables/lighting.inc"
@@ -46,7 +47,10 @@ void PlanBuilder::bindLighting(Pass& pass) {
     bindShadows(pass);
     if (!host && plan.view.shadingFunction) {
         addHostCode(pass, *plan.view.shadingFunction, "AgaaShadingFunction");
-        pass.compute().defines += shadingFunctionGlsl(plan.view);
+        std::string& defines = pass.compute().defines;
+        defines += shadingFunctionGlsl(plan.view);
+        if (defines.find("#define AGAA_CUSTOM_MEMBERS") == std::string::npos) // of other functions of the host
+            defines += customGlsl(plan.view.layout);
     }
     if (plan.effects.empty())
         listEffects(plan.view.layout.foldsRoughness() && !host && pass.compute().shadesAggregates);

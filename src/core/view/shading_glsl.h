@@ -1,6 +1,7 @@
 // GLSL for shading functions of the host: the macros of src/shaders/common/host_code.glsl and lighting.glsl.
 #pragma once
 
+#include "core/base/error.h"
 #include "core/view/view_settings.h"
 
 #include <string>
@@ -11,8 +12,14 @@ namespace agaa {
 inline std::string shadingFunctionGlsl(const ViewSettings& view) {
     if (!view.shadingFunction)
         return {};
-    return std::string("#define AGAA_HOST_SHADING 1\n#define AGAA_HOST_SHADES_EVENTS ") +
-           (view.hostShadesEvents ? "1\n" : "0\n");
+    std::string out = std::string("#define AGAA_HOST_SHADING 1\n#define AGAA_HOST_SHADES_EVENTS ") +
+                      (view.hostShadesEvents ? "1\n" : "0\n");
+    uint32_t channels = 0;
+    for (const CustomAttribute& custom : view.layout.customs)
+        channels += custom.attribute.channels;
+    if (channels)
+        out += format("#define AGAA_SHADES_CUSTOM %u\n", channels);
+    return out;
 }
 
 } // namespace agaa

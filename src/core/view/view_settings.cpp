@@ -173,6 +173,18 @@ static void readShadingFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     view.shadingFunction = copyFunction(*function, view);
 }
 
+// Custom attributes are members of AgaaSurface, too.
+static void checkNamesOfCustoms(const Layout& layout) {
+    static constexpr std::string_view members[] = {"normalLength", "alpha2Along", "axis",   "positionSpread",
+                                                   "pixel",        "coverage",    "shadows"};
+    for (const CustomAttribute& custom : layout.customs)
+        if (std::ranges::find(members, custom.name) != std::end(members))
+            fail(AGAA_ERROR_LAYOUT,
+                 format("custom layout attribute \"%s\": AgaaSurface, which an AgaaShadingFunction receives, has a "
+                        "member of this name.",
+                        custom.name.c_str()));
+}
+
 static void readGBufferFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     const std::optional<AgaaGBufferFunction> function = chainedFunction<AgaaGBufferFunction>(desc);
     if (!function)
@@ -253,6 +265,8 @@ ViewSettings resolveView(const AgaaViewDesc* pointer, TechniqueTable table) {
     readGBufferFunction(desc, view);
     readFetchFunction(desc, view);
     view.layout = checkLayout(view.config.layout);
+    if (view.shadingFunction)
+        checkNamesOfCustoms(view.layout);
     view.config.layout = nullptr; // the host's pointer does not outlive the call
     if (technique.maxAggregates && view.config.aggregates > technique.maxAggregates)
         fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::aggregates is %u; \"%s\" takes %u at most.",

@@ -130,6 +130,7 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     if (!agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
         agaa_findSpread(pixel, i, agaa_represented[lane]);
     agaa_fetchEvent(pixel, i, agaa_represented[lane]);
+    agaa_setEventCustom(agaa_fetchedCustom());
     return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i));
 }
 

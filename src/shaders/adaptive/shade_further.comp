@@ -182,6 +182,7 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     if (!agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
         agaa_findSpread(pixel, i, samples);
     agaa_fetchEvent(pixel, i, samples);
+    agaa_setEventCustom(agaa_fetchedCustom());
     agaa_Surface s = agaa_sampleSurface();
     return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)
                                : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *

@@ -101,6 +101,7 @@ agaa_Means agaa_meansOf(uvec2 pixel, uint mask) {
     for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
         agaa_fetchSample(pixel, uint(findLSB(rest)));
         agaa_addToMeans(m, share, agaa_sampleSurface());
+        agaa_addCustom(m, share, agaa_fetchedCustom());
     }
     return m;
 }

@@ -5,10 +5,27 @@
 #include "aggregate/means.glsl"
 #include "math/encoding.glsl"
 #include "math/statistics.glsl"
+#include "common/stored.glsl"
 
 agaa_Means agaa_noMeans() {
-    return agaa_Means(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 1e-6,
-                      agaa_NormalMoments(vec3(0.0), vec3(0.0)));
+    agaa_Means m;
+    m.diffuse = m.specular = m.emissive = m.normal = vec3(0.0);
+    m.alpha2 = 0.0;
+    m.lengthBound = 1e-6;
+    m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0));
+#ifdef AGAA_SHADES_CUSTOM
+    for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
+        m.custom[i] = 0.0;
+#endif
+    return m;
+}
+
+// Adds custom attributes, as layouts store them.
+void agaa_addCustom(inout agaa_Means m, float weight, agaa_Stored v) {
+#ifdef AGAA_SHADES_CUSTOM
+    for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
+        m.custom[i] += weight * v.custom[i];
+#endif
 }
 
 void agaa_addNormal(inout agaa_Means m, float weight, vec3 normal) {

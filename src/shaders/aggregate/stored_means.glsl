@@ -13,6 +13,10 @@ agaa_Means agaa_meansOfStored(agaa_Stored v) {
     agaa_Means m;
     m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // they are not stored
     m.diffuse = v.diffuse;
+#ifdef AGAA_SHADES_CUSTOM
+    for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
+        m.custom[i] = v.custom[i];
+#endif
     m.normal = v.normal;
     m.lengthBound = agaa_storedLengthBound(1u, agaa_fieldBits(AGAA_FIELD_NORMAL_X));
     m.specular = vec3(0.0);

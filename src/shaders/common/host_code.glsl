@@ -6,6 +6,7 @@
 #error "host_code.glsl needs AGAA_HW_SAMPLES, AGAA_SCALE_X and AGAA_SCALE_Y."
 #endif
 #include "common/alpha_points.glsl"
+#include "common/custom.glsl"
 
 // Returns the texel of sample i in a target whose pixels are AGAA_SCALE_X x AGAA_SCALE_Y texels of AGAA_HW_SAMPLES
 // each.
@@ -17,7 +18,6 @@ ivec2 agaaTexel(uvec2 pixel, uint i) {
 int agaaTexelSample(uint i) { return int(i % AGAA_HW_SAMPLES); }
 
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
-#include "common/custom.glsl"
 
 struct AgaaMaterial { // as in AgaaSurfaceInput, but for normalDx and normalDy
     vec3 diffuse;

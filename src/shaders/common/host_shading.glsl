@@ -22,6 +22,7 @@ struct AgaaSurface {
     uvec4 samples;        // that the event represents: bit i % 32 of element i / 32 for sample i
     float coverage;       // their share of the samples of the pixel, (0,1]
     uint shadows;         // bit i: lights with AgaaFrame::shadows[i] may reach the surface
+    AGAA_CUSTOM_MEMBERS   // means of the custom attributes of the layout; those of normals are not unit
 };
 
 // A light as it reaches the surface.

@@ -14,6 +14,7 @@
 #include "common/lights.glsl"
 #include "common/scene_facts.glsl"
 #include "common/shadow_maps.glsl"
+#include "common/stored.glsl"
 #include "tables/lighting.inc"
 
 #ifndef AGAA_LIT
@@ -108,6 +109,17 @@ void agaa_setEvent(uvec2 pixel, uvec4 samples) {
 #ifdef AGAA_HOST_SHADING
     ivec4 counts = bitCount(samples);
     agaa_event = agaa_Event(pixel, samples, float(counts.x + counts.y + counts.z + counts.w) / float(AGAA_SAMPLES));
+#endif
+}
+
+// Sets the custom attributes of the event, as layouts store them.
+#ifdef AGAA_SHADES_CUSTOM
+float agaa_eventCustom[AGAA_SHADES_CUSTOM];
+#endif
+void agaa_setEventCustom(agaa_Stored v) {
+#ifdef AGAA_SHADES_CUSTOM
+    for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
+        agaa_eventCustom[i] = v.custom[i];
 #endif
 }
 

@@ -22,6 +22,12 @@ AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position) {
     surface.samples = agaa_event.samples;
     surface.coverage = agaa_event.coverage;
     surface.shadows = AGAA_SHADOWS != 0 ? agaa_reachingShadows & ((1u << AGAA_SHADOW_MAPS) - 1u) : 0u;
+#ifdef AGAA_SHADES_CUSTOM
+    agaa_Stored stored;
+    for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
+        stored.custom[i] = agaa_eventCustom[i];
+    AGAA_LOAD_CUSTOM(stored, surface)
+#endif
     return surface;
 }
 

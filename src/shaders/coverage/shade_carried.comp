@@ -43,6 +43,7 @@ agaa_DepthPlane agaa_listedPlane(uint record) {
 
 agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) {
     agaa_Means m = agaa_meansOfStored(agaa_keptMaterial(record));
+    agaa_setEventCustom(m);
     agaa_Surface s =
         agaa_Surface(m.diffuse, m.specular, m.emissive, agaa_keptNormal(record), 1.0, m.alpha2, 0.0, vec3(0.0));
     if (AGAA_SPREAD_WORDS != 0u)

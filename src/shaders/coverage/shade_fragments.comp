@@ -17,11 +17,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/tile_pixels.glsl"
 #include "coverage/surface_position.glsl"
 #include "coverage/shown_fragments.glsl"
+#include "ids/fetched_custom.glsl"
 
 agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) {
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     agaa_evaluateAt(p, pixel, middle + 0.5);
     AgaaMaterial m = agaa_evaluateMaterial(p);
+    agaa_setEventCustom(agaa_customOfMaterial(m));
     if (AGAA_NDF < agaa_ndfLean)
         agaa_widenByCurvature(m, mask);
     agaa_Surface s = agaa_surfaceOfMaterial(m);

@@ -117,6 +117,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     float weight = float(agaa_coverageCount(mask)) * (AGAA_NORMALISES != 0u ? agaa_sampleWeights[lane] : 1.0);
     agaa_base = base + AGAA_MATERIAL_WORD;
     agaa_Means m = agaa_meansOfStored(agaa_storedMeans());
+    agaa_setEventCustom(m);
     agaa_Surface s =
         agaa_Surface(m.diffuse, m.specular, m.emissive, agaa_unpackNormal(agaa_readSurfaces(base + AGAA_NORMAL_WORD)),
                      1.0, m.alpha2, 0.0, vec3(0.0));

@@ -163,6 +163,13 @@ agaa_Surface agaa_sampleSurface() {
     return s;
 }
 
+// Returns the custom attributes of the sample fetched last, and no others.
+agaa_Stored agaa_fetchedCustom() {
+    agaa_Stored v = agaa_storedSurface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec3(0.0));
+    agaa_storeFetchedCustom(v);
+    return v;
+}
+
 // Returns the sample fetched last as an aggregate stores it.
 agaa_Stored agaa_storedSample() {
     agaa_Surface s = agaa_sampleSurface();

@@ -69,6 +69,7 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     agaa_findVisibility(pixel, agaa_representedSamples[lane]);
     agaa_findSpread(pixel, i, agaa_representedSamples[lane]);
     agaa_fetchSample(pixel, i);
+    agaa_setEventCustom(agaa_fetchedCustom());
     agaa_Surface s = agaa_sampleSurface();
     s.emissive = vec3(0.0);
     return agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)

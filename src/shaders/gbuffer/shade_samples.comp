@@ -85,6 +85,7 @@ vec3 agaa_shadeEvent(uint lane, uint which) {
     agaa_findVisibility(pixel, mask);
     agaa_findSpread(pixel, i, mask);
     agaa_fetchSample(pixel, i);
+    agaa_setEventCustom(agaa_fetchedCustom());
     agaa_Surface s = agaa_sampleSurface();
     return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)
                                : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *

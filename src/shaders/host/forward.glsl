@@ -52,6 +52,9 @@ void agaa_emit(AgaaSurfaceInput s) {
 #endif
         agaa_setEvent(uvec2(gl_FragCoord.xy) / uvec2(AGAA_SCALE_X, AGAA_SCALE_Y),
                       uvec4(agaa_coveredSamples(), 0u, 0u, 0u));
+        agaa_Stored custom = agaa_storedSurface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec3(0.0));
+        AGAA_STORE_CUSTOM(s, custom)
+        agaa_setEventCustom(custom);
         vec3 color = agaa_representableColor(agaa_lightSurface(agaa_forwardSurface(s), s.position));
         agaa_out0 = vec4(mayReachFarPlane ? agaa_markFarPlane(color) : color, 1.0);
     }

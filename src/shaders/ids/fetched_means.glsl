@@ -1,7 +1,7 @@
 // Adds fetched materials, one per primitive in a pixel, to the means of an aggregate. Needs what ids/fetch.glsl needs.
 #ifndef AGAA_FETCHED_MEANS_GLSL
 #define AGAA_FETCHED_MEANS_GLSL
-#include "ids/fetch.glsl"
+#include "ids/fetched_custom.glsl"
 #include "aggregate/mean_surface.glsl"
 
 // Weighted sums of positions in the pixel and of their products over samples of a primitive.
@@ -38,6 +38,7 @@ void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_PositionSums
 void agaa_addFetched(inout agaa_Means m, AgaaMaterial material, float weight, agaa_PositionSums sums) {
     agaa_Surface s = agaa_surfaceOfMaterial(material);
     agaa_addMaterial(m, weight, s);
+    agaa_addCustom(m, weight, agaa_customOfMaterial(material));
     if (!agaa_isCurvedMaterial(material))
         agaa_addNormal(m, weight, s.normal);
     else if (weight > 0.0)

@@ -49,12 +49,16 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format forma
     return s;
 }
 
-Layout surfaceLayout(Layout layout) {
+Layout surfaceLayout(const ViewSettings& view) {
+    Layout layout = view.layout;
     for (AgaaLayoutAttribute& attribute : layout.attributes) {
         attribute.encoding = AGAA_ENCODING_UNORM;
         attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
     }
-    layout.customs.clear(); // no shader reads them: agaaGetAggregateGlsl() is for "agaa"
+    for (CustomAttribute& custom : layout.customs)
+        custom.attribute.aggregateBits = std::max(custom.attribute.sampleBits, 6u);
+    if (!view.shadingFunction)
+        layout.customs.clear(); // no shader reads them: agaaGetAggregateGlsl() is for "agaa"
     return layout;
 }
 

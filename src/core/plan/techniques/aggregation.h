@@ -34,7 +34,7 @@ struct Aggregation {
 };
 
 // Returns the layout of surfaces, whose attributes have the precision of samples.
-Layout surfaceLayout(Layout layout);
+Layout surfaceLayout(const ViewSettings& view);
 
 // Sets the constants that describe the words of an aggregate.
 void setRecord(Pass& pass, const Aggregation& aggregation);

@@ -40,7 +40,7 @@ void resolve(ResolvedView& view) {
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
     Aggregation surfaces;
-    surfaces.layout = surfaceLayout(b.view().layout);
+    surfaces.layout = surfaceLayout(b.view());
     surfaces.packing = packMaterial(surfaces.layout);
     const uint32_t geometryWords = b.view().samples / 32 + AGAA_PLANE_WORDS;
     surfaces.spreadWords = b.view().config.ndf > AGAA_NDF_TOKSVIG ? AGAA_PACKED_SPREAD_WORDS : 0;

@@ -33,7 +33,7 @@ void build(PlanBuilder& b) {
         return buildNative(b);
     Aggregation surfaces;
     const bool fromGBuffer = b.view().generationTier == AGAA_TIER_GBUFFER;
-    surfaces.layout = surfaceLayout(b.view().layout);
+    surfaces.layout = surfaceLayout(b.view());
     if (!fromGBuffer)
         surfaces.layout = twoPassLayout(surfaces.layout, b.view().facts.flags);
     surfaces.packing = packAggregate(surfaces.layout, 1);
