@@ -123,37 +123,6 @@ void agaa_setEventCustom(agaa_Stored v) {
 #endif
 }
 
-// How a light reaches an event.
-struct agaa_Incidence {
-    vec3 toLight;
-    float intensity; // 0 if it does not
-    uint shadow;
-};
-
-// normal   Of the event.
-agaa_Incidence agaa_incidenceOf(uint index, vec3 position, vec3 normal) {
-    agaa_GpuLight light = agaa_lightBuffer.lights[index];
-    vec3 toLight = -light.direction;
-    float intensity = 1.0;
-    if (light.type != AGAA_LIGHT_DIRECTIONAL && !agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS)) {
-        vec3 d = light.position - position;
-        float d2 = agaa_spreadDistance2(dot(d, d), agaa_positionSpread);
-        intensity = agaa_pointAttenuation(d2, light.range, light.radius * light.radius);
-        if (intensity <= 0.0)
-            return agaa_Incidence(toLight, 0.0, light.shadowMap);
-        toLight = agaa_lightDirection(d, light.radius * light.radius);
-        if (light.type == AGAA_LIGHT_SPOT)
-            intensity *= agaa_spotCone(dot(-toLight, light.direction), light.cosInner, light.cosOuter);
-        if (agaa_positionSpread > 0.0)
-            toLight =
-                agaa_lightDirection(agaa_nearestToLight(d, normal, agaa_positionSpread), light.radius * light.radius);
-    }
-    uint map = light.shadowMap;
-    if (map < AGAA_MAX_SHADOW_MAPS)
-        intensity *= agaa_visibility[map];
-    return agaa_Incidence(toLight, intensity, map);
-}
-
 // Returns the light that the library's model reflects, for unit radiance.
 vec3 agaa_builtInReflect(agaa_Surface s, vec3 toLight, vec3 toEye) {
     uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
@@ -198,17 +167,34 @@ vec3 agaa_reflect(agaa_Surface s, vec3 position, vec3 toLight, vec3 toEye) {
 
 #if !AGAA_HOST_SHADES_EVENTS
 vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
-    agaa_Incidence incidence = agaa_incidenceOf(index, position, s.normal);
-    if (incidence.intensity <= 0.0)
+    agaa_GpuLight light = agaa_lightBuffer.lights[index];
+    vec3 toLight = -light.direction;
+    float intensity = 1.0;
+    if (light.type != AGAA_LIGHT_DIRECTIONAL && !agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS)) {
+        vec3 d = light.position - position;
+        float d2 = agaa_spreadDistance2(dot(d, d), agaa_positionSpread);
+        intensity = agaa_pointAttenuation(d2, light.range, light.radius * light.radius);
+        if (intensity <= 0.0)
+            return vec3(0.0);
+        toLight = agaa_lightDirection(d, light.radius * light.radius);
+        if (light.type == AGAA_LIGHT_SPOT)
+            intensity *= agaa_spotCone(dot(-toLight, light.direction), light.cosInner, light.cosOuter);
+        if (agaa_positionSpread > 0.0)
+            toLight =
+                agaa_lightDirection(agaa_nearestToLight(d, s.normal, agaa_positionSpread), light.radius * light.radius);
+    }
+    uint map = light.shadowMap;
+    if (map < AGAA_MAX_SHADOW_MAPS)
+        intensity *= agaa_visibility[map];
+    if (intensity <= 0.0)
         return vec3(0.0);
 #if AGAA_LIT
     // The index is a constant, so that surfaces stay in registers.
     for (uint k = 0u; k < AGAA_MAX_SHADOW_MAPS; ++k)
-        if (agaa_isLitShadow(k) && incidence.shadow == k)
+        if (agaa_isLitShadow(k) && map == k)
             s = agaa_litSurface[k];
 #endif
-    vec3 reflected = agaa_reflect(s, position, incidence.toLight, toEye);
-    return reflected * agaa_lightBuffer.lights[index].color * incidence.intensity;
+    return agaa_reflect(s, position, toLight, toEye) * light.color * intensity;
 }
 
 // Sums the lights in the order of the frame, so that culling does not change the result.
