@@ -139,16 +139,16 @@ AGAA_API void AGAA_CALL agaaInitShadowFunction(AgaaShadowFunction* outFunction, 
  * EVENT: all lighting. The text defines
  *     vec3 agaaShade(AgaaSurface surface)
  * which returns the radiance to the eye, emission and ambient light included. It may loop over the lights that reach
- * the event (agaaNextLight), look shadows up (agaaShadow, agaaShadowAt) and call the library's reflectance
+ * the tile (agaaNextLight), look shadows up (agaaShadow, agaaShadowAt) and call the library's reflectance
  * (agaaBuiltInReflect). Views whose function reads none of the frame's lights or shadows need not declare any in
  * AgaaSceneFacts and do not pay for them. "visibility" adds the emission of samples itself; surface.emissive is 0. */
 typedef enum AgaaShadingLevel { AGAA_SHADING_REFLECTANCE = 0, AGAA_SHADING_EVENT = 1 } AgaaShadingLevel;
 
 /* A function that shades in place of the library. Chain it to AgaaViewDesc. It is compiled into the passes that shade,
  * and called once for each shading event: a sample, a fragment or an aggregate, whose means it receives in an
- * AgaaSurface. All vectors are unit, in shading space. Negative results count as 0. Results that are not finite count
- * as 0 too; AgaaCounters::sanitised counts them. "msaa", which shades in the host's fragment shaders, has the text in
- * AgaaDrawPass::glslDeclarations: the host compiles it and binds its resources as those of its own shader. */
+ * AgaaSurface. Positions and directions are in shading space. Negative results count as 0. Results that are not finite
+ * count as 0 too; AgaaCounters::sanitised counts them. "msaa", which shades in the host's fragment shaders, has the
+ * text in AgaaDrawPass::glslDeclarations: the host compiles it and binds its resources as those of its own shader. */
 typedef struct AgaaShadingFunction {
     uint32_t sType;
     uint32_t structSize;
