@@ -72,8 +72,8 @@ void expectExpanded(const Plan& plan) {
     }
     const Resource* const buffer = find(plan, "triangles");
     ASSERT_NE(buffer, nullptr);
-    EXPECT_EQ(AGAA_TRIANGLE_SUMS, 8u);
-    EXPECT_EQ(buffer->bytes, 4 * (8 + draws + 2 * triangles));
+    EXPECT_EQ(AGAA_TRIANGLE_SUMS, 12u);
+    EXPECT_EQ(buffer->bytes, 4 * (12 + draws + 2 * triangles));
     const auto argumentsOf = [&](size_t i) {
         return &plan.resources[plan.passes[first + i].compute().dispatch.arguments];
     };
@@ -143,7 +143,35 @@ TEST(ComputeTriangles, DevicesNeedNeitherGeometryShadersNorFragmentAtomics) {
     }
 }
 
-// Fragments that carry their materials come from shaders of the host, and samples of the device from its rasteriser.
+// Depths of samples are found first, then ids, and later passes read both from one buffer.
+TEST(ComputeTriangles, IdsOfSamplesNeedNoDraws) {
+    const AgaaFetchFunction fetch = expandingFetch(), drawing = expandingFetch(0);
+    for (const uint32_t samples : {1u, 4u, 8u, 16u, 32u})
+        for (const uint64_t flags : {UINT64_C(0), AGAA_CONFIG_BUFFERED}) {
+            SCOPED_TRACE(samples);
+            ViewSpec spec = specOf("agaa", AGAA_TIER_IDS, fetch);
+            spec.samples = samples;
+            spec.configFlags = flags;
+            const Plan plan = planFor(spec, idealDevice());
+            EXPECT_EQ(plan.geometryPasses(), 0u);
+            for (const std::string& name : expansion)
+                EXPECT_EQ(std::ranges::count(plan.passes, name, &Pass::name), name == expansion[0] ? 1 : 2) << name;
+            const size_t ids = passAt(plan, "begin ids");
+            ASSERT_LT(ids, plan.passes.size());
+            EXPECT_LT(passAt(plan, "expand large triangles"), ids);
+            const Resource* const visible = find(plan, "visible-samples");
+            ASSERT_NE(visible, nullptr);
+            EXPECT_EQ(visible->bytes, uint64_t(8) * samples * spec.width * spec.height);
+            spec.chained = &drawing;
+            const Plan drawn = planFor(spec, idealDevice());
+            EXPECT_EQ(drawn.geometryPasses(), 1u);
+            EXPECT_EQ(plan.view.samplePositions, drawn.view.samplePositions);
+            EXPECT_EQ(plan.view.hwSamples, drawn.view.hwSamples) << "samples lie where the rasteriser has them";
+        }
+}
+
+// Fragments that carry their materials come from shaders of the host, and depth that materials write, draws that cannot
+// be fetched and the samples of "adaptive" from the rasteriser.
 TEST(ComputeTriangles, OtherTiersAreDrawn) {
     const AgaaFetchFunction fetch = expandingFetch();
     const auto expectDrawn = [](const ViewSpec& spec) {
@@ -158,7 +186,16 @@ TEST(ComputeTriangles, OtherTiersAreDrawn) {
         expectDrawn(specOf("dcaa", tier, fetch));
     ViewSpec ids = specOf("agaa", AGAA_TIER_IDS, fetch);
     ids.samples = 8;
+    AgaaFetchFunction some = fetch;
+    some.flags = AGAA_FETCH_NOT_ALL_DRAWS;
+    ids.chained = &some;
     expectDrawn(ids);
+    ids.chained = &fetch;
+    ids.facts = AGAA_FACT_CUSTOM_DEPTH;
+    expectDrawn(ids);
+    ViewSpec adaptive = specOf("adaptive", AGAA_TIER_IDS, fetch);
+    adaptive.samples = 8;
+    expectDrawn(adaptive);
 }
 
 AgaaResult refusal(const ViewSpec& spec, const AgaaDeviceCaps& caps, std::string& message) {

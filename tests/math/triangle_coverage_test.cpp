@@ -134,6 +134,35 @@ TEST(TriangleCoverage, SharedEdgesSplitTheSamples) {
     EXPECT_GT(split, 400000u);
 }
 
+// A sample anywhere in the pixel is covered by the rules of rows, and belongs to one side of an edge.
+TEST(TriangleCoverage, EdgesCoverSamplesOfTargetsAsRows) {
+    Random random(51);
+    size_t split = 0, onLine = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const unsigned n = sampleCounts[random.below(3)];
+        const glm::vec2 centre(float(random.below(4096)) + 0.5f, float(random.below(4096)) + 0.5f);
+        const auto end = [&] {
+            const double reach = i % 3 == 0 ? 1 : random.decades(0.1, 1e4);
+            return vertex(double(centre.x) + random.range(-reach, reach),
+                          double(centre.y) + random.range(-reach, reach), random.range(0.1, 4));
+        };
+        const glm::vec3 a = math_f::agaa_vertexFromCentre(end(), centre);
+        const glm::vec3 b =
+            i % 5 == 0 ? a * glm::vec3(-2, 1, 1) : math_f::agaa_vertexFromCentre(end(), centre); // level
+        const math_f::agaa_Edge edge = math_f::agaa_edgeFromCentre(a, b), back = math_f::agaa_edgeFromCentre(b, a);
+        const glm::uvec4 row = math_f::agaa_edgeCoverage(edge, n);
+        for (unsigned s = 0; s < n; ++s) {
+            const glm::vec2 at = math_f::agaa_coveragePosition(s, n);
+            const bool covers = math_f::agaa_edgeCovers(edge, at);
+            split += covers;
+            ASSERT_NE(covers, math_f::agaa_edgeCovers(back, at)) << i << ", sample " << s;
+            onLine += covers != math_f::agaa_isCovered(row, s);
+        }
+    }
+    EXPECT_GT(split, 100000u);
+    EXPECT_LT(onLine, split / 100000) << "rounding decides for samples on the line";
+}
+
 TEST(TriangleCoverage, SliversAreExact) {
     Random random(49);
     Errors errors;

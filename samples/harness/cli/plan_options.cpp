@@ -13,7 +13,7 @@ void addPlanOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--size", a.size, "WxH");
     app.add_option("--reversed-z", a.reversedZ, "1: near is 1, far is infinite and 0");
     app.add_option("--expand", a.expand,
-                   "what expands triangles to coverage samples: geometry or pulling shaders, or compute");
+                   "what expands triangles: geometry or pulling shaders, or compute, also for agaa by ids");
     app.add_flag("--no-stencil", a.noStencil, "first come, first kept on equal depth");
     app.add_flag("--no-culling", a.noCulling, "every shading event evaluates all lights of the frame");
     app.add_flag("--check-facts", a.checkFacts, "inspect materials for what the scene's facts say");

@@ -138,7 +138,9 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
 bool PlanBuilder::isSwitchedOn(Switch which) const {
     switch (which) {
     case Switch::Multisampled:
-        return plan.view.hwSamples > 1;
+        return plan.view.hwSamples > 1 && visibleSamples == noResource;
+    case Switch::Expanded:
+        return visibleSamples != noResource;
     case Switch::Shadows:
         return plan.view.variantFacts.shadowMapCount > 0;
     case Switch::Counting:

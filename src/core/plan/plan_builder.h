@@ -89,6 +89,8 @@ public:
     // Passes after those of the technique read the depth at the target's rate, and the attachments of a G-buffer that
     // has all draws.
     ResourceId sceneDepth = noResource; // noResource: the technique has none
+    // Depths and ids of samples, which compute passes found; noResource: the host's draw wrote images.
+    ResourceId visibleSamples = noResource;
     std::vector<ResourceId> sceneAttachments;
 
 private:

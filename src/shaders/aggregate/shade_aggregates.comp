@@ -17,13 +17,16 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "common/tile.glsl"
 
-#ifndef AGAA_HOST_GBUFFER
+#if !defined(AGAA_HOST_GBUFFER) && !AGAA_EXPANDED
+#define AGAA_READS_NORMALS
 #include "aggregate/prepass_normals.glsl"
 #endif
 
 #if AGAA_COUNTING
 #ifdef AGAA_HOST_GBUFFER
 bool agaa_isVisible(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
+#elif AGAA_EXPANDED
+bool agaa_isVisible(uvec2 pixel, uint i) { return agaa_visibleId(pixel, i) != 0u; }
 #else
 bool agaa_isVisible(uvec2 pixel, uint i) {
     vec4 texel = AGAA_FETCH(agaa_normals, pixel, i);
@@ -77,7 +80,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 // normals   The samples whose mean is the normal.
 agaa_Means agaa_meansOfAggregate(uvec2 pixel, uint normals) {
     agaa_Means means = agaa_meansOfStored(agaa_storedMeans());
-#ifndef AGAA_HOST_GBUFFER
+#ifdef AGAA_READS_NORMALS
     if (AGAA_PREPASS_NORMALS != 0u) {
         means.normal = agaa_meanPrepassNormal(pixel, normals);
         means.lengthBound = agaa_hemiOct8LengthBound();

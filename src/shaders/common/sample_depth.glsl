@@ -12,6 +12,9 @@ float agaa_depthOf(uvec2 pixel, uint i) {
     agaa_readHost(pixel, i, depth, material);
     return depth;
 }
+#elif defined(AGAA_EXPANDED) && AGAA_EXPANDED
+#include "ids/visible_samples.glsl"
+float agaa_depthOf(uvec2 pixel, uint i) { return agaa_visibleDepth(pixel, i); }
 #else
 layout(AGAA_BINDING_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 

@@ -11,7 +11,9 @@ layout(local_size_x = 64) in;
 #include "math/light.glsl"
 #include "ids/fetch.glsl"
 #include "coverage/triangle_words.glsl"
+#if !AGAA_COVERS_TARGET
 #include "coverage/fragment_words.glsl"
+#endif
 
 shared uint agaa_shareSums[64]; // of the draws of each lane
 
@@ -45,12 +47,17 @@ void main() {
         if (all > AGAA_MAX_TRIANGLES)
             agaa_count(AGAA_COUNT_UNANNOUNCED, all - AGAA_MAX_TRIANGLES);
         uint total = min(all, AGAA_MAX_TRIANGLES);
+        agaa_triangles.words[AGAA_FINDS_DEPTHS] = 1u;
         agaa_triangles.words[AGAA_TRIANGLES_TOTAL] = total;
         agaa_triangles.words[AGAA_LARGE_COUNT] = 0u;
         agaa_triangles.words[AGAA_LARGE_AT] = AGAA_TRIANGLE_SUMS + AGAA_MAX_DRAWS;
         uvec3 groups = agaa_groupsInRows((total + 63u) / 64u);
         for (uint i = 0u; i < 3u; ++i)
+#if AGAA_COVERS_TARGET
+            agaa_triangles.words[AGAA_TRIANGLE_DISPATCH + i] = groups[i];
+#else
             agaa_fragments.words[AGAA_LIST_TRIANGLE_GROUPS + i] = groups[i];
+#endif
     }
     agaa_countEnd();
 }

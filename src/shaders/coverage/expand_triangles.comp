@@ -1,7 +1,7 @@
-// Appends the fragments of triangles to the lists of pixels (Wang et al., I3D 2016, section 3.1), without a rasteriser.
-// Each lane fetches a triangle. The lanes of a workgroup then share the rows of pixels of its 64 triangles, a number of
-// rows at a time, and the pixels of these rows, so that no lane waits for a longer row. Large triangles are listed for
-// expand_large.comp.
+// Finds the fragments of triangles without a rasteriser, for the lists of pixels (Wang et al., I3D 2016, section 3.1)
+// or for the samples of the target. Each lane fetches a triangle. The lanes of a workgroup then share the rows of
+// pixels of its 64 triangles, a number of rows at a time, and the pixels of these rows, so that no lane waits for a
+// longer row. Large triangles are listed for expand_large.comp.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
@@ -16,8 +16,8 @@ layout(local_size_x = 64) in;
 #include "coverage/expanded_triangle.glsl"
 
 // Pixels of a triangle's bounds, at most. Software rasterisers of Mesa end all loops of an invocation after 65535
-// iterations in total.
-const uint agaa_maxPixels = 1024u;
+// iterations in total; a pixel of the target has loops over its samples.
+const uint agaa_maxPixels = AGAA_COVERS_TARGET == 1 ? 256u : 1024u;
 
 shared vec4 agaa_sharedCorners[64][3];
 shared vec2 agaa_sharedOutlines[64][4];

@@ -1,16 +1,21 @@
-// A triangle of the host in passes that append its fragments to lists without a rasteriser. Needs ids/fetch.glsl,
-// common/counters.glsl and coverage/triangle_words.glsl.
+// A triangle of the host in passes that find the pixels and samples that it covers without a rasteriser. They append
+// its fragments to lists, or with AGAA_COVERS_TARGET find the nearest primitive of each sample of the target. Needs
+// ids/fetch.glsl, common/counters.glsl and coverage/triangle_words.glsl.
 #ifndef AGAA_EXPANDED_TRIANGLE_GLSL
 #define AGAA_EXPANDED_TRIANGLE_GLSL
 #if !defined(AGAA_FETCH_GLSL) || !defined(AGAA_COUNTERS_GLSL) || !defined(AGAA_TRIANGLE_WORDS_GLSL)
 #error "expanded_triangle.glsl needs fetch.glsl, counters.glsl and triangle_words.glsl."
 #endif
-#include "coverage/fragment_words.glsl"
 #include "coverage/covered_samples.glsl"
+#include "math/depth_plane.glsl" // here, because what a false condition includes is included nowhere else
 #include "math/hull_rows.glsl"
 #define AGAA_ALPHA_INPUT AgaaAlpha
 #include "coverage/masked_samples.glsl"
 
+#if AGAA_COVERS_TARGET
+#include "ids/nearest_samples.glsl"
+#else
+#include "coverage/fragment_words.glsl"
 uint agaa_readFragments(uint word) { return agaa_fragments.words[word]; }
 uint agaa_addToFragments(uint word, uint amount) { return atomicAdd(agaa_fragments.words[word], amount); }
 uint agaa_exchangeFragments(uint word, uint value) { return atomicExchange(agaa_fragments.words[word], value); }
@@ -20,6 +25,7 @@ void agaa_setFragments(uint word, uint value) { agaa_fragments.words[word] = val
 uint agaa_listCapacity() { return agaa_frame.fragmentCapacity; }
 void agaa_countFragment(uint counter, uint amount) { agaa_count(counter, amount); }
 #include "coverage/append_fragment.glsl"
+#endif
 
 struct agaa_Corners {
     vec4 a, b, c; // x, y and w in pixels, and z of clip coordinates, for depths in [0, 1]
@@ -37,6 +43,20 @@ vec4 agaa_cornerOf(vec4 clip) {
 agaa_Corners agaa_cornersOf(AgaaPrimitive p) {
     return agaa_Corners(agaa_cornerOf(p.a), agaa_cornerOf(p.b), agaa_cornerOf(p.c));
 }
+
+agaa_DepthPlane agaa_planeOf(agaa_Corners corners, vec2 centre) {
+    return agaa_depthPlane(corners.a.xyz, corners.b.xyz, corners.c.xyz,
+                           vec3(corners.a.w, corners.b.w, corners.c.w), centre);
+}
+
+#if AGAA_COVERS_TARGET
+// Returns whether the near plane cuts the triangle.
+bool agaa_isCut(agaa_Corners corners) {
+    vec3 z = vec3(corners.a.w, corners.b.w, corners.c.w);
+    vec3 w = vec3(corners.a.z, corners.b.z, corners.c.z);
+    return AGAA_FAR_DEPTH != 0u ? any(lessThan(z, vec3(0.0))) : any(greaterThan(z, w));
+}
+#endif
 
 bool agaa_isCulled(AgaaPrimitive p, AgaaDraw d) {
     float facing = d.culledFacing == 0 ? 0.0 : agaa_facing(p.a.xyw, p.b.xyw, p.c.xyw) * float(sign(d.culledFacing));
@@ -77,11 +97,18 @@ uvec4 agaa_alphaSamples(AgaaPrimitive p, uvec2 pixel, uvec4 covered) {
 }
 #endif
 
-// Appends the fragment of a triangle in a pixel, if it covers samples.
+// Keeps the fragment of a triangle in a pixel, if it covers samples.
 void agaa_expandPixel(uint id, AgaaPrimitive p, uvec2 pixel) {
     agaa_Corners corners = agaa_cornersOf(p);
     vec2 centre = vec2(pixel) + 0.5;
     uvec4 mask = agaa_coveredSamples(corners.a.xyz, corners.b.xyz, corners.c.xyz, centre);
+#if AGAA_COVERS_TARGET
+    agaa_DepthPlane plane = agaa_planeOf(corners, centre);
+    bool isCut = agaa_isCut(corners);
+    uint open = agaa_openSamples(pixel, mask.x, plane, isCut);
+    // Hidden surfaces need no alpha, unless the report of facts counts them.
+    mask.x = AGAA_CHECK_FACTS != 0u && agaa_isFirstDraw() ? mask.x : open;
+#endif
 #if AGAA_EXPANDS_MASKED
     // Software rasterisers execute both sides of a branch, but leave a loop.
     for (uint k = 0u; k < 1u && agaa_coverageCount(mask) != 0u; ++k)
@@ -89,8 +116,10 @@ void agaa_expandPixel(uint id, AgaaPrimitive p, uvec2 pixel) {
 #endif
     if (agaa_coverageCount(mask) == 0u)
         return;
-    agaa_DepthPlane plane = agaa_depthPlane(corners.a.xyz, corners.b.xyz, corners.c.xyz,
-                                            vec3(corners.a.w, corners.b.w, corners.c.w), centre);
-    agaa_appendFragment(pixel, id, mask, plane);
+#if AGAA_COVERS_TARGET
+    agaa_keepSamples(pixel, id, mask.x & open, plane, isCut);
+#else
+    agaa_appendFragment(pixel, id, mask, agaa_planeOf(corners, centre));
+#endif
 }
 #endif

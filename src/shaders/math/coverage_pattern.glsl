@@ -24,8 +24,11 @@
 #if !defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_TABLE_SIZE)
 #error "coverage_pattern.glsl needs AGAA_TABLE_SIZE."
 #endif
+#ifndef AGAA_COVERS_TARGET
+#define AGAA_COVERS_TARGET 0 // 1: the samples are those of the target
+#endif
 bool agaa_hasHostPattern() {
-    return AGAA_TABLE_SIZE != 0u;
+    return AGAA_TABLE_SIZE != 0u || AGAA_COVERS_TARGET == 1;
 }
 rvec2 agaa_hostPosition(uint i) {
     return agaa_sampleLocation(i) - rvec2(real(0.5));
@@ -119,8 +122,10 @@ rvec2 agaa_coverageMiddle(uvec4 mask, uint samples) {
     return rvec2(sums.x * scale - real(0.5), sums.y * scale);
 }
 
+// samples   Also 1 to 31, of targets.
 uvec4 agaa_allCoverage(uint samples) {
-    return uvec4(0xFFFFFFFFu, samples > 32u ? 0xFFFFFFFFu : 0u, samples > 64u ? 0xFFFFFFFFu : 0u,
+    const uint first = samples < 32u ? (1u << samples) - 1u : 0xFFFFFFFFu;
+    return uvec4(first, samples > 32u ? 0xFFFFFFFFu : 0u, samples > 64u ? 0xFFFFFFFFu : 0u,
                  samples > 64u ? 0xFFFFFFFFu : 0u);
 }
 

@@ -142,6 +142,17 @@ uint agaa_edgeSpan(agaa_Edge edge, real y, real phase, uint columns) {
     return ((all << left) & all) ^ (edge.swapped ? all : 0u);
 }
 
+// Returns whether an edge covers a sample at any place of the pixel, by the rules of rows.
+// at   From the pixel's centre, in pixels.
+bool agaa_edgeCovers(agaa_Edge edge, rvec2 at) {
+    const bool useB = abs(at.y - edge.pointB.y) < abs(at.y - edge.pointA.y);
+    const rvec2 from = useB ? edge.pointB : edge.pointA;
+    PRECISE real x = from.x - edge.slope * (at.y - from.y);
+    // On the line, right of it or above.
+    const bool isBeyond = edge.outside || (edge.level ? at.y >= edge.pointA.y : at.x >= x);
+    return isBeyond != edge.swapped;
+}
+
 // Returns the samples on the left of the edge from a to b, for positive w. The edge from b to a has all others.
 uvec4 agaa_edgeCoverage(agaa_Edge edge, uint samples) {
     const uint columns = agaa_coverageColumns(samples);

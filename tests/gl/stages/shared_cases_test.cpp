@@ -8,6 +8,7 @@
 #include "compute_triangles_cases.h"
 #include "coverage_cases.h"
 #include "culling_cases.h"
+#include "expanded_ids_cases.h"
 #include "facts_cases.h"
 #include "dcaa_cases.h"
 #include "depth_prepass_cases.h"
@@ -45,6 +46,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PatternCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, RasterOrderCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ComputeTrianglesCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ExpandedIdsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, AccumulationCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DefinitionCases, OpenGLHost);

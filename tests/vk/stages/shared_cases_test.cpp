@@ -8,6 +8,7 @@
 #include "compute_triangles_cases.h"
 #include "coverage_cases.h"
 #include "culling_cases.h"
+#include "expanded_ids_cases.h"
 #include "facts_cases.h"
 #include "dcaa_cases.h"
 #include "depth_prepass_cases.h"
@@ -47,6 +48,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PatternCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, RasterOrderCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ComputeTrianglesCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ExpandedIdsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, AccumulationCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DefinitionCases, VulkanHost);

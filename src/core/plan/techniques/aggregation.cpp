@@ -189,27 +189,25 @@ void shadeFromGBuffer(PlanBuilder& b) {
     shadeAtOnce(b, "aggregate and shade", "aggregate_gbuffer", gbuffer);
 }
 
+static Ids findIds(PlanBuilder& b) { return expandsIds(b.view()) ? expandIds(b) : drawIds(b); }
+
 void shadeFromIds(PlanBuilder& b) {
-    const Ids ids = drawIds(b);
-    b.cullLights([&](Pass& pass) { b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth); });
+    const Ids ids = findIds(b);
+    b.cullLights([&](Pass& pass) { ids.bindDepth(b, pass); });
     const ResourceId complexPixels = b.deferredPixels();
     b.deferPixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), complexPixels);
     b.consumeDeferred(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), complexPixels);
 }
 
 void buildFromIds(PlanBuilder& b, const Aggregation& a) {
-    const Ids ids = drawIds(b);
+    const Ids ids = findIds(b);
     const ResourceId aggregates = aggregateBuffer(b, a);
     Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather_ids", AGAA_SEGMENT_GENERATION);
     b.bindCommon(gather);
     ids.bind(b, gather);
     b.bind(gather, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     setRecord(gather, a);
-    shadeAggregates(b, a, aggregates, [&](Pass& pass) {
-        b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth);
-        bindGeometryMask(b, pass, ids.prepass.values, ids.prepass.depth);
-        pass.constants[AGAA_COVERAGE_COMPONENT] = AGAA_ANY_COMPONENT;
-    });
+    shadeAggregates(b, a, aggregates, [&](Pass& pass) { ids.bindGeometry(b, pass); });
 }
 
 } // namespace agaa

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/structs.h"
 #include "core/plan/techniques/depth_bounds.h"
+#include "core/plan/techniques/triangle_expansion.h"
 #include "shaders/tables/layouts.inc"
 
 #include <algorithm>
@@ -122,12 +123,6 @@ ResourceId makeCoverageTable(PlanBuilder& b, uint64_t segment) {
     return table;
 }
 
-Dispatch dispatchOf(ResourceId buffer, uint32_t word) {
-    return {.kind = DispatchKind::Indirect, .arguments = buffer, .argumentsOffset = 4 * word};
-}
-
-const Dispatch oneGroup = {.kind = DispatchKind::Items, .items = 1};
-
 // Adds a pass of one workgroup that decides which fragments a draw of the scene processes.
 void addBatchPass(PlanBuilder& b, const char* name, const char* shader, const FragmentLists& lists) {
     Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, b.plan.passes[lists.firstPass].segment);
@@ -155,60 +150,23 @@ Pass& drawTriangles(PlanBuilder& b, uint64_t segment) {
 
 namespace {
 
-// The buffer has counts, a sum for each draw, then entries of large triangles
-// (src/shaders/coverage/triangle_words.glsl).
-ResourceId makeTriangles(PlanBuilder& b) {
-    const uint64_t words =
-        AGAA_TRIANGLE_SUMS + uint64_t(b.view().maxDraws) + checkedMultiply(b.view().maxTriangles, AGAA_LARGE_WORDS);
-    if (words > b.caps().maxStorageRange / 4)
-        fail(AGAA_ERROR_TOO_LARGE,
-             format("AgaaFetchFunction::maxTriangles is %u; their list needs %llu bytes, and one storage buffer of the "
-                    "device has %llu.",
-                    b.view().maxTriangles, static_cast<unsigned long long>(4 * words),
-                    static_cast<unsigned long long>(b.caps().maxStorageRange)));
-    return b.itemBuffer("triangles", words, 4);
-}
-
-Pass& addExpansion(PlanBuilder& b, const char* name, const char* shader, ResourceId triangles, const Dispatch& dispatch,
-                   uint64_t segment) {
-    Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, segment);
-    pass.compute().dispatch = dispatch;
-    b.bind(pass, slot::Triangles, BindingType::StorageBuffer, triangles, true);
-    return pass;
-}
-
-void bindTriangleFetch(PlanBuilder& b, Pass& pass) {
-    b.bindCommon(pass);
-    b.bindHostFetch(pass);
-    const bool isMasked = b.hasFact(AGAA_FACT_ALPHA_MASKED) || b.view().config.flags & AGAA_CONFIG_CHECK_FACTS;
-    pass.compute().defines += format(
-        "#define AGAA_MAX_DRAWS %uu\n#define AGAA_MAX_PRIMITIVES %uu\n#define AGAA_MAX_TRIANGLES %uu\n"
-        "#define AGAA_PAYLOAD_WORDS %uu\n#define AGAA_HAS_BATCHES %d\n#define AGAA_DRAW_ORDER %d\n"
-        "#define AGAA_HAS_DEPTH_PREPASS 0\n"
-        "#define AGAA_EXPANDS_MASKED %d\n#define AGAA_COVERS_BY_TABLE %d\n",
-        b.view().maxDraws, b.view().maxPrimitives, b.view().maxTriangles, b.plan.payloadWords, hasBatches(b.view()),
-        (b.view().coverage.flags & AGAA_COVERAGE_DRAW_ORDER) != 0, isMasked, !b.view().coveragePositions.empty());
-}
-
 // Adds passes that append the fragments of all triangles to the lists.
-void expandTriangles(PlanBuilder& b, FragmentLists& lists, uint64_t segment) {
+void expandIntoLists(PlanBuilder& b, FragmentLists& lists, uint64_t segment) {
     const ResourceId table = b.view().coveragePositions.empty() ? noResource : makeCoverageTable(b, segment);
-    const ResourceId triangles = makeTriangles(b);
-    Pass& count = addExpansion(b, "count triangles", "count_triangles", triangles, oneGroup, segment);
-    bindTriangleFetch(b, count);
-    lists.bindAlone(b, count);
-    lists.firstPass = uint32_t(b.plan.passes.size());
-    const auto append = [&](const char* name, const char* shader, const Dispatch& dispatch) {
-        Pass& pass = addExpansion(b, name, shader, triangles, dispatch, segment);
-        bindTriangleFetch(b, pass);
-        lists.bindAlone(b, pass);
+    TriangleExpansion expansion{.stage = AGAA_STAGE_GENERATION, .segment = segment};
+    expansion.defines = format("#define AGAA_COVERS_TARGET 0\n#define AGAA_PAYLOAD_WORDS %uu\n"
+                               "#define AGAA_HAS_BATCHES %d\n#define AGAA_DRAW_ORDER %d\n"
+                               "#define AGAA_HAS_DEPTH_PREPASS 0\n#define AGAA_COVERS_BY_TABLE %d\n",
+                               b.plan.payloadWords, hasBatches(b.view()),
+                               (b.view().coverage.flags & AGAA_COVERAGE_DRAW_ORDER) != 0, table != noResource);
+    expansion.bind = [&b, &lists](Pass& pass) { lists.bindAlone(b, pass); };
+    expansion.bindFragments = [&b, table](Pass& pass) {
         if (table != noResource)
             b.bind(pass, slot::CoverageTable, BindingType::Texture, table);
     };
-    append("expand triangles", "expand_triangles", dispatchOf(lists.buffer, AGAA_LIST_TRIANGLE_GROUPS));
-    addExpansion(b, "list large triangles", "list_large", triangles, oneGroup, segment);
-    append("expand large triangles", "expand_large", dispatchOf(triangles, AGAA_LARGE_DISPATCH));
-    b.note("triangles: compute passes fetch and expand them (AgaaFetchFunction::maxTriangles).");
+    expansion.count(b);
+    lists.firstPass = uint32_t(b.plan.passes.size());
+    expansion.expand(b, dispatchOf(lists.buffer, AGAA_LIST_TRIANGLE_GROUPS));
 }
 
 } // namespace
@@ -221,7 +179,7 @@ FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords, uint64_t segm
     b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, segment).fill().bytes = 4 * sizes.heads;
     boundDepths(b, depth, lists.buffer, segment);
     if (expandsTriangles(b.view())) {
-        expandTriangles(b, lists, segment);
+        expandIntoLists(b, lists, segment);
     } else {
         Pass& pass = drawTriangles(b, segment);
         lists.firstPass = uint32_t(b.plan.passes.size() - 1);

@@ -103,6 +103,9 @@ TierAnswer answerIds(const GenerationQuery& q) {
         return {false, hostGBufferReason};
     if (!q.fetches)
         return {false, "the tier ids needs an AgaaFetchFunction."};
+    if (q.expandsTriangles && !q.someUnfetched && !q.customDepth)
+        return {true,
+                "materials are fetched by the ids of samples, which compute passes find; the host draws nothing."};
     return {true, q.someUnfetched
                       ? "materials are fetched by the ids that the first geometry pass leaves; draws that cannot be "
                         "fetched (AGAA_FETCH_NOT_ALL_DRAWS) are drawn again, into a whole multisampled G-buffer."

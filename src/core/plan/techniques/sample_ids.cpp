@@ -1,16 +1,35 @@
 #include "core/plan/techniques/sample_ids.h"
 
+#include "core/base/checked.h"
 #include "core/base/error.h"
+#include "core/plan/techniques/triangle_expansion.h"
+#include "shaders/tables/layouts.inc"
 
 namespace agaa {
 
+void Ids::bindDepth(PlanBuilder& b, Pass& pass) const {
+    if (b.visibleSamples != noResource)
+        b.bind(pass, slot::Visible, BindingType::StorageBuffer, b.visibleSamples);
+    else
+        b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
+}
+
+void Ids::bindGeometry(PlanBuilder& b, Pass& pass) const {
+    bindDepth(b, pass);
+    if (b.visibleSamples != noResource)
+        return;
+    bindGeometryMask(b, pass, prepass.values, prepass.depth);
+    pass.constants[AGAA_COVERAGE_COMPONENT] = AGAA_ANY_COMPONENT;
+}
+
 void Ids::bind(PlanBuilder& b, Pass& pass) const {
     b.bindHostFetch(pass);
-    b.bind(pass, slot::Ids, BindingType::Texture, prepass.values);
+    if (b.visibleSamples == noResource)
+        b.bind(pass, slot::Ids, BindingType::Texture, prepass.values);
     if (unfetched)
         unfetched->bind(b, pass);
     else
-        b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
+        bindDepth(b, pass);
 }
 
 Ids drawIds(PlanBuilder& b) {
@@ -24,6 +43,30 @@ Ids drawIds(PlanBuilder& b) {
         ids.unfetched = drawGBufferOver(b, ids.prepass.depth);
     }
     return ids;
+}
+
+bool expandsIds(const ViewSettings& view) {
+    return view.maxTriangles > 0 && !view.someUnfetched && !(view.facts.flags & AGAA_FACT_CUSTOM_DEPTH);
+}
+
+Ids expandIds(PlanBuilder& b) {
+    b.plan.depthFormat = Format::D32; // of the words
+    const uint64_t samples = checkedMultiply(uint64_t(b.view().width) * b.view().height, b.view().samples);
+    b.visibleSamples = b.itemBuffer("visible-samples", samples, 8);
+    b.fill("clear samples", AGAA_STAGE_PREPASS, b.visibleSamples, AGAA_SEGMENT_PREPASS);
+    TriangleExpansion expansion{.stage = AGAA_STAGE_PREPASS, .segment = AGAA_SEGMENT_PREPASS};
+    expansion.defines = "#define AGAA_COVERS_TARGET 1\n#define AGAA_COVERS_BY_TABLE 0\n";
+    expansion.bind = [](Pass&) {};
+    expansion.bindFragments = [&b](Pass& pass) {
+        b.bind(pass, slot::Visible, BindingType::StorageBuffer, b.visibleSamples, true);
+    };
+    expansion.count(b);
+    const auto findNearest = [&] { expansion.expand(b, dispatchOf(expansion.triangles, AGAA_TRIANGLE_DISPATCH)); };
+    findNearest();
+    b.fill("begin ids", AGAA_STAGE_PREPASS, expansion.triangles, AGAA_SEGMENT_PREPASS).fill().bytes =
+        4 * (AGAA_FINDS_DEPTHS + 1);
+    findNearest();
+    return {};
 }
 
 } // namespace agaa

@@ -1,4 +1,4 @@
-// A prepass that stores the id of the primitive at each sample. Later passes fetch materials by it.
+// The id of the primitive at each sample, by which later passes fetch materials.
 #pragma once
 
 #include "core/plan/techniques/aggregation.h"
@@ -10,12 +10,21 @@ namespace agaa {
 
 // Depth, ids and, if some draws cannot be fetched, their G-buffer.
 struct Ids {
-    Prepass prepass;
+    Prepass prepass{noResource, noResource}; // unless the builder has PlanBuilder::visibleSamples
     std::optional<GBuffer> unfetched;
 
     void bind(PlanBuilder& b, Pass& pass) const;
+    void bindDepth(PlanBuilder& b, Pass& pass) const;
+    // Binds depth, and what shows where geometry is, for shaders that count visible samples.
+    void bindGeometry(PlanBuilder& b, Pass& pass) const;
 };
 
+// Adds a prepass that the host draws.
 Ids drawIds(PlanBuilder& b);
+
+// Returns whether compute passes find the ids, so that the host draws nothing.
+bool expandsIds(const ViewSettings& view);
+// Adds these passes, and sets PlanBuilder::visibleSamples.
+Ids expandIds(PlanBuilder& b);
 
 } // namespace agaa

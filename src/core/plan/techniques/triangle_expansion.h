@@ -1,0 +1,33 @@
+// Compute passes that fetch triangles and find the pixels that they touch (AgaaFetchFunction::maxTriangles).
+#pragma once
+
+#include "core/plan/plan_builder.h"
+
+#include <functional>
+#include <string>
+
+namespace agaa {
+
+// A dispatch whose groups are three words of a buffer.
+Dispatch dispatchOf(ResourceId buffer, uint32_t word);
+inline const Dispatch oneGroup = {.kind = DispatchKind::Items, .items = 1};
+
+struct TriangleExpansion {
+    AgaaStage stage = AGAA_STAGE_GENERATION;
+    uint64_t segment = 0;
+    std::string defines = {};                      // of all passes: what keeps the fragments
+    std::function<void(Pass&)> bind = {};          // to all passes, besides the triangles
+    std::function<void(Pass&)> bindFragments = {}; // to the passes that find fragments
+    ResourceId triangles = noResource;             // set by count()
+
+    // Adds the pass that sums the triangles of draws.
+    void count(PlanBuilder& b);
+    // Adds passes that find the fragments of all triangles, which may follow repeatedly.
+    void expand(PlanBuilder& b, const Dispatch& groups) const;
+
+private:
+    Pass& add(PlanBuilder& b, const char* name, const char* shader, const Dispatch& dispatch) const;
+    void bindFetch(PlanBuilder& b, Pass& pass) const;
+};
+
+} // namespace agaa
