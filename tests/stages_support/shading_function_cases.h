@@ -205,6 +205,35 @@ TYPED_TEST_P(ShadingFunctionCases, EventsKnowWhatTheyRepresent) {
     }
 }
 
+// A translucent card of alpha 1/2 covers half of the samples of each fragment of `msaa`.
+TYPED_TEST_P(ShadingFunctionCases, MasksLeaveHalfOfTheSamples) {
+    Triangle overView = rectangle(-96, 0, 96, 128, 1, {})[0];
+    overView.isMasked = true;
+    overView.material.diffuse.w = 0.5f;
+    const Shot shot{.triangles = {overView}, .lights = {}};
+    for (const uint32_t n : {4u, 8u}) {
+        SCOPED_TRACE(n);
+        ViewSettings settings;
+        settings.config.technique = "msaa";
+        settings.config.samples = n;
+        settings.projection = pixelOrthographic(48, 32, 10);
+        settings.facts.flags |= AGAA_FACT_ALPHA_MASKED;
+        settings.facts.shadowMapCount = 0;
+        const Shown shown = this->showWith(
+            settings, shot, "vec3 agaaShade(AgaaSurface s) { return vec3(float(bitCount(s.samples.x))); }\n",
+            AGAA_SHADING_EVENT);
+        // A fragment, whose texel has at most 4 of the samples, adds its share of the pixel times its number of
+        // samples. Rasterisers may split the card, whose parts then have fewer samples each.
+        const float expected = 0.25f * float(this->context.caps().sampleCounts & n ? n : 4);
+        size_t whole = 0;
+        for (size_t i = 0; i < shown.rgb.size(); i += 3) {
+            whole += std::fabs(shown.rgb[i] - expected) < 1e-3f;
+            ASSERT_LT(shown.rgb[i], expected + 1e-3f) << i / 3;
+        }
+        EXPECT_GT(3 * whole, shown.rgb.size() / 20 * 19);
+    }
+}
+
 // An attribute of the host that is a copy of another has the same mean, to the rounding of 8 and 16 bits.
 TYPED_TEST_P(ShadingFunctionCases, CustomAttributesAreMeansAsOthers) {
     const AgaaLayout layout = layoutWithVelocity();
@@ -309,7 +338,8 @@ TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame, ShadowsAreThoseOfTheLibrary,
-                            TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent, CustomAttributesAreMeansAsOthers,
-                            ResultsAreContainedAndCounted, BadOnesAreRefusedInASentence);
+                            TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent, MasksLeaveHalfOfTheSamples,
+                            CustomAttributesAreMeansAsOthers, ResultsAreContainedAndCounted,
+                            BadOnesAreRefusedInASentence);
 
 } // namespace agaa::test

@@ -30,16 +30,15 @@ agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
 }
 
 // Returns the bits that the fragment's covered samples have in its pixel.
-uint agaa_coveredSamples() {
-    uvec2 scale = uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
-    uvec2 texel = uvec2(gl_FragCoord.xy) % scale;
-    return uint(gl_SampleMaskIn[0]) << (texel.y * scale.x + texel.x) * uint(AGAA_HW_SAMPLES);
+// kept   Samples of the texel that alpha covers.
+uint agaa_coveredSamples(uint kept) {
+    return (uint(gl_SampleMaskIn[0]) & kept) << agaa_hostGroup() * uint(AGAA_HW_SAMPLES);
 }
 
 void agaa_emit(AgaaSurfaceInput s) {
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | (agaa_isFinite3(s.position) ? 0u : 1u);
     bool mayReachFarPlane = agaa_mayReachFarPlane();
-    uint kept = 1u;
+    uint kept = 0xFFFFFFFFu;
 #if AGAA_ALPHA_MASKED
     kept = agaa_alphaMask(s);
 #endif
@@ -50,8 +49,7 @@ void agaa_emit(AgaaSurfaceInput s) {
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, s.position);
 #endif
-        agaa_setEvent(uvec2(gl_FragCoord.xy) / uvec2(AGAA_SCALE_X, AGAA_SCALE_Y),
-                      uvec4(agaa_coveredSamples(), 0u, 0u, 0u));
+        agaa_setEvent(agaa_hostPixel(), uvec4(agaa_coveredSamples(kept), 0u, 0u, 0u));
         agaa_Stored custom = agaa_storedSurface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec3(0.0));
         AGAA_STORE_CUSTOM(s, custom)
         agaa_setEventCustom(custom);
