@@ -73,7 +73,7 @@ AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction
  * function provides derivatives of the normal. With AGAA_CONFIG_FINE_MATERIALS the samples of one texel share a
  * material, and derivatives of normals are not used. Colours are in [0, 1], emission is in [0, range] of the layout.
  * Non-finite values are replaced by the lowest value of their range. Only the visibility pass and the fragments pass
- * test alpha. */
+ * test alpha. With maxTriangles compute passes replace both. */
 typedef struct AgaaFetchFunction {
     uint32_t sType;
     uint32_t structSize;
@@ -90,14 +90,15 @@ typedef struct AgaaFetchFunction {
     uint64_t flags;               /* AGAA_FETCH_… */
     const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
     /* 0: the host draws all passes. Otherwise "dcaa" with the tier FRAGMENT_LISTS and "agaa" with the tiers FRAGMENTS
-     * and IDS call no draw callback: compute passes fetch all primitives by id and find the samples that they cover, as
-     * a draw of them would. Lists then need neither geometry shaders nor atomics in fragment shaders. IDS shows the
-     * nearest primitive of each sample of the target, and of equal depths the first in the order of draws and
-     * primitives. Edges are exact; rasterisers round vertices, usually to 1/256 of a pixel. With
-     * AGAA_FETCH_NOT_ALL_DRAWS or AGAA_FACT_CUSTOM_DEPTH the host draws the ids. The value is the upper bound of the
-     * primitives of all draws of a frame together, below 2^31 (AGAA_ERROR_OUT_OF_RANGE). Further primitives are not
-     * drawn; AgaaCounters::unannounced counts them, and those beyond maxPrimitives. Each takes 8 bytes of the view's
-     * memory. Primitives with a corner that is not finite are not drawn. The text also defines
+     * and IDS call no draw callback: compute passes fetch all primitives by id and find the samples that they cover.
+     * Lists have the fragments of a draw, and the device needs neither geometry shaders nor atomics in fragment
+     * shaders. IDS shows the nearest primitive of each sample of the target, and of equal depths the first in the order
+     * of draws and primitives. Edges are exact; rasterisers round vertices, usually to 1/256 of a pixel. The view has
+     * no surface "depth". The host draws the ids with AGAA_FETCH_NOT_ALL_DRAWS, AGAA_FACT_CUSTOM_DEPTH and
+     * AGAA_CONFIG_ACCUMULATE. The value is the upper bound of the primitives of all draws of a frame together, below
+     * 2^31 (AGAA_ERROR_OUT_OF_RANGE). Further primitives are not drawn; AgaaCounters::unannounced counts them, and
+     * those beyond maxPrimitives. Each takes 8 bytes of the view's memory. Primitives with a corner that is not finite
+     * are not drawn. The text also defines
      *     void agaaHostDraw(uint draw, inout AgaaDraw d)
      *     void agaaHostAlpha(AgaaPrimitive p, inout AgaaAlpha a)
      * The first is called for all draws below maxDraws and provides the number of primitives, 0 for draws that the

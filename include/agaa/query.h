@@ -243,8 +243,8 @@ AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const Aga
 /* Describes a surface of a view, for hosts that use it between segments (depth for their own occlusion, for example)
  * or copy it (AGAA_CONFIG_READBACK). The view owns the surface.
  *
- * name         Name of a surface that agaaQueryMemory lists with isPerPixel 1. "depth" exists in every view that
- *              draws, except views of "dcaa". "aggregates" exists in the views that agaaGetAggregateGlsl accepts.
+ * name         Name of a surface that agaaQueryMemory lists with isPerPixel 1. "depth" exists in every view whose
+ *              host draws, except views of "dcaa". "aggregates" exists in the views that agaaGetAggregateGlsl accepts.
  *              Other names may change with the version.
  * outSurface   Initialised; unchanged on failure. Chain an AgaaVkSurface or an AgaaGlSurface to receive the handles,
  *              which stay valid until the view is resized or destroyed.

@@ -154,11 +154,20 @@ TEST(ComputeTriangles, IdsOfSamplesNeedNoDraws) {
             spec.configFlags = flags;
             const Plan plan = planFor(spec, idealDevice());
             EXPECT_EQ(plan.geometryPasses(), 0u);
-            for (const std::string& name : expansion)
-                EXPECT_EQ(std::ranges::count(plan.passes, name, &Pass::name), name == expansion[0] ? 1 : 2) << name;
-            const size_t ids = passAt(plan, "begin ids");
-            ASSERT_LT(ids, plan.passes.size());
-            EXPECT_LT(passAt(plan, "expand large triangles"), ids);
+            std::vector<std::string> names;
+            for (const Pass& pass : plan.passes)
+                if (pass.stage == AGAA_STAGE_PREPASS)
+                    names.push_back(pass.name);
+            EXPECT_EQ(names,
+                      (std::vector<std::string>{"clear samples", "count triangles", "expand triangles for depths",
+                                                "list large triangles for depths", "expand large triangles for depths",
+                                                "begin ids", "expand triangles for ids", "list large triangles for ids",
+                                                "expand large triangles for ids"}));
+            const Pass& begin = plan.passes[passAt(plan, "begin ids")];
+            EXPECT_EQ(begin.fill().bytes, 4u);
+            EXPECT_EQ(&plan.resources[begin.fill().destination], find(plan, "triangles"));
+            EXPECT_EQ(find(plan, "depth"), nullptr);
+            EXPECT_EQ(find(plan, "ids"), nullptr);
             const Resource* const visible = find(plan, "visible-samples");
             ASSERT_NE(visible, nullptr);
             EXPECT_EQ(visible->bytes, uint64_t(8) * samples * spec.width * spec.height);
@@ -192,6 +201,9 @@ TEST(ComputeTriangles, OtherTiersAreDrawn) {
     expectDrawn(ids);
     ids.chained = &fetch;
     ids.facts = AGAA_FACT_CUSTOM_DEPTH;
+    expectDrawn(ids);
+    ids.facts = AGAA_FACT_ALL_SHADED;
+    ids.configFlags = AGAA_CONFIG_ACCUMULATE;
     expectDrawn(ids);
     ViewSpec adaptive = specOf("adaptive", AGAA_TIER_IDS, fetch);
     adaptive.samples = 8;
@@ -247,6 +259,16 @@ TEST(ComputeTriangles, ListsFitAStorageBuffer) {
         EXPECT_NE(message.find(std::to_string(caps.maxStorageRange)), std::string::npos) << message;
         EXPECT_EQ(message.back(), '.');
     }
+    // 8 bytes for each of 16 samples of 1024x1024 pixels are 128 MiB.
+    fetch.maxTriangles = 1;
+    ViewSpec ids = specOf("agaa", AGAA_TIER_IDS, fetch);
+    ids.samples = 16;
+    ids.width = 1024;
+    ids.height = 1025;
+    EXPECT_EQ(refusal(ids, caps, message), AGAA_ERROR_TOO_LARGE);
+    EXPECT_NE(message.find("AgaaFetchFunction::maxTriangles"), std::string::npos) << message;
+    ids.height = 1024;
+    EXPECT_EQ(refusal(ids, caps, message), AGAA_OK) << message;
     // Views whose host draws have no list.
     EXPECT_EQ(refusal(specOf("dcaa", AGAA_TIER_MATERIAL_LISTS, fetch), caps, message), AGAA_OK);
 }

@@ -86,7 +86,7 @@ TYPED_TEST_P(ExpandedIdsCases, SamplesAreThoseOfTheRasteriser) {
     }
 }
 
-// Cut-outs are tested at the samples, and translucent surfaces have the masks of the rasterised tier.
+// Translucent surfaces have the masks of the rasterised tier, and reports of facts count them once.
 TYPED_TEST_P(ExpandedIdsCases, MasksAreThoseOfTheRasteriser) {
     for (const float alpha : {0.6f, 1.0f}) {
         SCOPED_TRACE(alpha);
@@ -103,7 +103,47 @@ TYPED_TEST_P(ExpandedIdsCases, MasksAreThoseOfTheRasteriser) {
         const Shown got = this->render(computed(settings), shot);
         expectThoseOfTheRasteriser(got, expected, 60);
         EXPECT_EQ(got.counters.visible, expected.counters.visible);
+        settings.config.flags |= AGAA_CONFIG_CHECK_FACTS;
+        shot.triangles.push_back(layerOf(258, 258, 11, shot.triangles[0].material)); // beyond the far plane
+        shot.triangles.back().isMasked = true;
+        const Shown checked = this->render(computed(settings), shot);
+        EXPECT_EQ(checked.rgb, got.rgb);
+        EXPECT_EQ(checked.facts.alphaMasked, 3u * 258 * 258);
+        EXPECT_EQ(checked.facts.translucent, checked.facts.alphaMasked);
     }
+}
+
+// The alpha of a cut-out falls along the card and is 0.5 on a line. It is interpolated from 4 or 16 points of the
+// pixel, which is exact, or is one value for the pixel.
+TYPED_TEST_P(ExpandedIdsCases, CutoutsEndWhereAlphaDoes) {
+    Shot shot{.triangles = {layerOf(258, 258, 1, {})}, .change = addAmbient};
+    shot.triangles[0].isMasked = true;
+    ViewSettings settings = computed(idsSettings(8, 2));
+    settings.width = settings.height = 258;
+    settings.projection = pixelOrthographic(258, 258, 10);
+    settings.facts.flags |= AGAA_FACT_ALPHA_MASKED;
+    // The corners of layerOf() are known in pixels.
+    const std::string whole = "vec2 place = p.at.x * vec2(-516.0, 0.0) + p.at.y * vec2(516.0, 0.0) + "
+                              "p.at.z * vec2(516.0, 1032.0);\n"
+                              "vec2 slope = vec2(-1.0, -0.37) / 64.0;\n"
+                              "a.alpha = 0.5 + 121.3 / 64.0 + dot(slope, place);\na.alphaCutoff = 0.5;\n";
+    const std::string near = whole + "a.hasAlphaNear = true;\nfor (int k = 0; k < 4; ++k)\n"
+                                     "    a.alphaNear[k] = a.alpha + dot(slope, agaa_alphaPoint(uint(k)));\n";
+    const std::string rows = whole + "a.hasAlphaRows = true;\nfor (int r = 0; r < 4; ++r)\n"
+                                     "    for (int c = 0; c < 4; ++c)\n        a.alphaRows[r][c] = a.alpha + "
+                                     "dot(slope, agaa_alphaRowPoint(uint(r), uint(c)));\n";
+    // The area of the trapezium left of the line: 258 rows from 121.3 to 121.3 - 0.37 * 258 pixels.
+    const double area = 258 * (121.3 - 0.37 * 129);
+    for (const std::string& text : {near, rows}) {
+        shot.alpha = text.c_str();
+        const Shown shown = this->render(settings, shot);
+        EXPECT_NEAR(double(shown.counters.visible) / 8, area, 3);
+        EXPECT_TRUE(shown.validation.isValid) << shown.validation.explanation;
+    }
+    shot.alpha = whole.c_str();
+    const uint64_t visible = this->render(settings, shot).counters.visible;
+    EXPECT_EQ(visible % 8, 0u);
+    EXPECT_NEAR(double(visible) / 8, area, 30);
 }
 
 // Triangles of more pixels than a workgroup takes at once; instances; an image of odd size.
@@ -202,7 +242,7 @@ TYPED_TEST_P(ExpandedIdsCases, CulledFacingAndNoCallback) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ExpandedIdsCases, ImagesAreThoseOfTheRasteriser, SamplesAreThoseOfTheRasteriser,
-                            MasksAreThoseOfTheRasteriser, LargeTrianglesAndInstances, TheFirstOfEqualDepthsIsShown,
-                            NearPlane, WrongTriangles, CulledFacingAndNoCallback);
+                            MasksAreThoseOfTheRasteriser, CutoutsEndWhereAlphaDoes, LargeTrianglesAndInstances,
+                            TheFirstOfEqualDepthsIsShown, NearPlane, WrongTriangles, CulledFacingAndNoCallback);
 
 } // namespace agaa::test

@@ -28,9 +28,8 @@ void agaaHostAlpha(AgaaPrimitive p, inout AgaaAlpha a) {
     HostMaterial h = hostMaterial(p.primitive);
     a.alpha = h.diffuse.w;
     a.primitiveSeed = hostSeed(h);
-}
-#endif
-)";
+)" + shot.alpha +
+           "}\n#endif\n";
 }
 
 std::string fetchText(const ViewSettings& settings, const char* storage, const Shot& shot) {

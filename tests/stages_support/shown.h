@@ -21,8 +21,10 @@ struct Shot {
     uint32_t announced = 0;
     uint32_t announcedDraws = 0;
     uint64_t fetchFlags = 0;
-    // With ViewSettings::computesTriangles: further text of agaaHostDraw(); triangles that are announced, 0 for all.
+    // With ViewSettings::computesTriangles: further text of agaaHostDraw() and of agaaHostAlpha(); triangles that are
+    // announced, 0 for all.
     const char* draws = "";
+    const char* alpha = "";
     uint32_t announcedTriangles = 0;
 };
 

@@ -247,7 +247,7 @@ struct Plan {
     std::vector<std::string> notes;    // why tiers and formats were chosen
     std::vector<std::string> effects;  // effects that the frame uses
     bool aliases = true;               // resources of disjoint lifetimes may share memory
-    Format depthFormat = Format::None; // of the target; None if the plan has no depth surface
+    Format depthFormat = Format::None; // of depths at the target's rate; None if no pass reads them
     std::vector<Resource> resources;
     std::vector<Pass> passes;
     std::vector<Repeat> repeats; // in the order of passes; they do not overlap, and each lies in one segment

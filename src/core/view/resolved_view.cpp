@@ -105,6 +105,7 @@ void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, Techni
                           .someUnfetched = view.someUnfetched,
                           .vertexPulling = view.vertexPulling,
                           .expandsTriangles = view.maxTriangles > 0,
+                          .accumulates = view.accumulates(),
                           .coverageSamples = technique.countsCoverage(config.generationTier, view.samples),
                           .needsMaterials = view.aggregation.litShadows || view.aggregation.glossWeight > 0 ||
                                             config.ndf > AGAA_NDF_TOKSVIG};

@@ -34,6 +34,7 @@ struct GenerationQuery {
     bool someUnfetched = false;    // the function does not fetch all draws
     bool vertexPulling = false;    // the view has AGAA_VIEW_VERTEX_PULLING
     bool expandsTriangles = false; // compute passes do so, by AgaaFetchFunction::maxTriangles
+    bool accumulates = false;      // over frames, for which the view needs a depth buffer
     bool coverageSamples = false;  // AUTO selects among tiers with coverage samples
     bool needsMaterials = false;   // settings need materials when samples are grouped
     uint64_t aggregateBytes = 0;   // of one buffer, if another tier needs none; 0: not checked

@@ -35,7 +35,7 @@ struct AgaaMaterial { // as in AgaaSurfaceInput, but for normalDx and normalDy
 #endif
 #ifdef AGAA_HOST_FETCH
 
-// A primitive, by the id that the prepass wrote, and a point on it that a pixel shows.
+// A primitive, by its id, and a point on it that a pixel shows.
 struct AgaaPrimitive {
     uint draw;
     uint primitive;

@@ -1,5 +1,5 @@
-// Finds the fragments of large triangles, as expand_triangles.comp those of small ones. Each workgroup covers a block
-// of pixels, each lane a row of it.
+// Finds the fragments of large triangles; expand_triangles.comp finds those of small ones. Each workgroup covers a
+// block of pixels, each lane a row of it.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;

@@ -7,7 +7,7 @@
 #error "expanded_triangle.glsl needs fetch.glsl, counters.glsl and triangle_words.glsl."
 #endif
 #include "coverage/covered_samples.glsl"
-#include "math/depth_plane.glsl" // here, because what a false condition includes is included nowhere else
+#include "math/depth_plane.glsl" // outside of conditions, because its text is inserted at its first include only
 #include "math/hull_rows.glsl"
 #define AGAA_ALPHA_INPUT AgaaAlpha
 #include "coverage/masked_samples.glsl"
@@ -105,9 +105,9 @@ void agaa_expandPixel(uint id, AgaaPrimitive p, uvec2 pixel) {
 #if AGAA_COVERS_TARGET
     agaa_DepthPlane plane = agaa_planeOf(corners, centre);
     bool isCut = agaa_isCut(corners);
-    uint open = agaa_openSamples(pixel, mask.x, plane, isCut);
+    agaa_OpenSamples samples = agaa_openSamples(pixel, mask.x, plane, isCut);
     // Hidden surfaces need no alpha, unless the report of facts counts them.
-    mask.x = AGAA_CHECK_FACTS != 0u && agaa_isFirstDraw() ? mask.x : open;
+    mask.x = AGAA_CHECK_FACTS != 0u && agaa_isFirstDraw() ? samples.inRange : samples.open;
 #endif
 #if AGAA_EXPANDS_MASKED
     // Software rasterisers execute both sides of a branch, but leave a loop.
@@ -117,7 +117,7 @@ void agaa_expandPixel(uint id, AgaaPrimitive p, uvec2 pixel) {
     if (agaa_coverageCount(mask) == 0u)
         return;
 #if AGAA_COVERS_TARGET
-    agaa_keepSamples(pixel, id, mask.x & open, plane, isCut);
+    agaa_keepSamples(pixel, id, mask.x & samples.open, plane, isCut);
 #else
     agaa_appendFragment(pixel, id, mask, agaa_planeOf(corners, centre));
 #endif

@@ -1,4 +1,4 @@
-// The primitive ids that the prepass wrote for each sample, or with AGAA_EXPANDED passes that expand triangles. Needs
+// The primitive ids of samples. The prepass wrote them, or with AGAA_EXPANDED passes that expand triangles. Needs
 // AGAA_BINDING_IDS.
 #ifndef AGAA_SAMPLE_IDS_GLSL
 #define AGAA_SAMPLE_IDS_GLSL

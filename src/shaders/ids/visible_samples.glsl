@@ -1,7 +1,7 @@
-// The depth and the primitive id of each sample, in the buffer that passes fill which expand triangles. Words are 0
-// where there is no geometry, and of two surfaces the nearer one has the greater word of depth, so that atomicMax()
-// finds it. Of equal depths the primitive with the least id is shown, which a host that draws in the order of ids draws
-// first. Needs common/frame.glsl, AGAA_BINDING_VISIBLE, and AGAA_SAMPLES and AGAA_FAR_DEPTH of common/constants.glsl.
+// The depth and the primitive id of each sample. Passes that expand triangles fill the buffer. Words are 0 where there
+// is no geometry, and of two surfaces the nearer one has the greater word of depth, so that atomicMax() finds it. Of
+// equal depths the primitive with the least id is shown; a host that draws in the order of ids draws it first. Needs
+// common/frame.glsl, AGAA_BINDING_VISIBLE, and AGAA_SAMPLES and AGAA_FAR_DEPTH of common/constants.glsl.
 #ifndef AGAA_VISIBLE_SAMPLES_GLSL
 #define AGAA_VISIBLE_SAMPLES_GLSL
 #if !defined(AGAA_FRAME_GLSL) || !defined(AGAA_BINDING_VISIBLE)

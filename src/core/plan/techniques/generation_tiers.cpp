@@ -103,7 +103,7 @@ TierAnswer answerIds(const GenerationQuery& q) {
         return {false, hostGBufferReason};
     if (!q.fetches)
         return {false, "the tier ids needs an AgaaFetchFunction."};
-    if (q.expandsTriangles && !q.someUnfetched && !q.customDepth)
+    if (q.expandsTriangles && !q.someUnfetched && !q.customDepth && !q.accumulates)
         return {true,
                 "materials are fetched by the ids of samples, which compute passes find; the host draws nothing."};
     return {true, q.someUnfetched

@@ -45,14 +45,25 @@ Ids drawIds(PlanBuilder& b) {
     return ids;
 }
 
-bool expandsIds(const ViewSettings& view) {
-    return view.maxTriangles > 0 && !view.someUnfetched && !(view.facts.flags & AGAA_FACT_CUSTOM_DEPTH);
+bool expandsIds(const ResolvedView& view) {
+    const bool needsDraw = view.someUnfetched || view.accumulates() || view.facts.flags & AGAA_FACT_CUSTOM_DEPTH;
+    return view.maxTriangles > 0 && !needsDraw;
+}
+
+static ResourceId makeVisibleSamples(PlanBuilder& b) {
+    const uint64_t samples = checkedMultiply(uint64_t(b.view().width) * b.view().height, b.view().samples);
+    const uint64_t bytes = checkedMultiply(samples, 8);
+    if (bytes > b.caps().maxStorageRange)
+        fail(AGAA_ERROR_TOO_LARGE,
+             format("the samples that compute passes find need %llu bytes, and one storage buffer of the device has "
+                    "%llu; with 0 as AgaaFetchFunction::maxTriangles the host draws them.",
+                    static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(b.caps().maxStorageRange)));
+    return b.itemBuffer("visible-samples", samples, 8);
 }
 
 Ids expandIds(PlanBuilder& b) {
-    b.plan.depthFormat = Format::D32; // of the words
-    const uint64_t samples = checkedMultiply(uint64_t(b.view().width) * b.view().height, b.view().samples);
-    b.visibleSamples = b.itemBuffer("visible-samples", samples, 8);
+    b.plan.depthFormat = Format::D32; // later passes read depths of this precision
+    b.visibleSamples = makeVisibleSamples(b);
     b.fill("clear samples", AGAA_STAGE_PREPASS, b.visibleSamples, AGAA_SEGMENT_PREPASS);
     TriangleExpansion expansion{.stage = AGAA_STAGE_PREPASS, .segment = AGAA_SEGMENT_PREPASS};
     expansion.defines = "#define AGAA_COVERS_TARGET 1\n#define AGAA_COVERS_BY_TABLE 0\n";
@@ -61,11 +72,13 @@ Ids expandIds(PlanBuilder& b) {
         b.bind(pass, slot::Visible, BindingType::StorageBuffer, b.visibleSamples, true);
     };
     expansion.count(b);
-    const auto findNearest = [&] { expansion.expand(b, dispatchOf(expansion.triangles, AGAA_TRIANGLE_DISPATCH)); };
-    findNearest();
-    b.fill("begin ids", AGAA_STAGE_PREPASS, expansion.triangles, AGAA_SEGMENT_PREPASS).fill().bytes =
-        4 * (AGAA_FINDS_DEPTHS + 1);
-    findNearest();
+    const auto find = [&](const char* step) {
+        expansion.expand(b, dispatchOf(expansion.triangles, AGAA_TRIANGLE_DISPATCH), step);
+    };
+    find(" for depths");
+    static_assert(AGAA_FINDS_DEPTHS == 0, "the word is at the beginning of the buffer");
+    b.fill("begin ids", AGAA_STAGE_PREPASS, expansion.triangles, AGAA_SEGMENT_PREPASS).fill().bytes = 4;
+    find(" for ids");
     return {};
 }
 

@@ -10,12 +10,12 @@ namespace agaa {
 
 // Depth, ids and, if some draws cannot be fetched, their G-buffer.
 struct Ids {
-    Prepass prepass{noResource, noResource}; // unless the builder has PlanBuilder::visibleSamples
+    Prepass prepass{noResource, noResource}; // none if the builder has PlanBuilder::visibleSamples
     std::optional<GBuffer> unfetched;
 
     void bind(PlanBuilder& b, Pass& pass) const;
     void bindDepth(PlanBuilder& b, Pass& pass) const;
-    // Binds depth, and what shows where geometry is, for shaders that count visible samples.
+    // Binds depth and the mask of geometry, by which shaders count visible samples.
     void bindGeometry(PlanBuilder& b, Pass& pass) const;
 };
 
@@ -23,7 +23,7 @@ struct Ids {
 Ids drawIds(PlanBuilder& b);
 
 // Returns whether compute passes find the ids, so that the host draws nothing.
-bool expandsIds(const ViewSettings& view);
+bool expandsIds(const ResolvedView& view);
 // Adds these passes, and sets PlanBuilder::visibleSamples.
 Ids expandIds(PlanBuilder& b);
 

@@ -24,7 +24,8 @@ static ResourceId makeTriangles(PlanBuilder& b) {
     return b.itemBuffer("triangles", words, 4);
 }
 
-Pass& TriangleExpansion::add(PlanBuilder& b, const char* name, const char* shader, const Dispatch& dispatch) const {
+Pass& TriangleExpansion::add(PlanBuilder& b, const std::string& name, const char* shader,
+                             const Dispatch& dispatch) const {
     Pass& pass = b.compute(name, stage, shader, segment);
     pass.compute().dispatch = dispatch;
     b.bind(pass, slot::Triangles, BindingType::StorageBuffer, triangles, true);
@@ -49,15 +50,15 @@ void TriangleExpansion::count(PlanBuilder& b) {
     b.note("triangles: compute passes fetch and expand them (AgaaFetchFunction::maxTriangles).");
 }
 
-void TriangleExpansion::expand(PlanBuilder& b, const Dispatch& groups) const {
-    const auto addExpansion = [&](const char* name, const char* shader, const Dispatch& dispatch) {
+void TriangleExpansion::expand(PlanBuilder& b, const Dispatch& groups, const std::string& step) const {
+    const auto addExpansion = [&](const std::string& name, const char* shader, const Dispatch& dispatch) {
         Pass& pass = add(b, name, shader, dispatch);
         bindFetch(b, pass);
         bindFragments(pass);
     };
-    addExpansion("expand triangles", "expand_triangles", groups);
-    add(b, "list large triangles", "list_large", oneGroup);
-    addExpansion("expand large triangles", "expand_large", dispatchOf(triangles, AGAA_LARGE_DISPATCH));
+    addExpansion("expand triangles" + step, "expand_triangles", groups);
+    add(b, "list large triangles" + step, "list_large", oneGroup);
+    addExpansion("expand large triangles" + step, "expand_large", dispatchOf(triangles, AGAA_LARGE_DISPATCH));
 }
 
 } // namespace agaa

@@ -15,18 +15,19 @@ inline const Dispatch oneGroup = {.kind = DispatchKind::Items, .items = 1};
 struct TriangleExpansion {
     AgaaStage stage = AGAA_STAGE_GENERATION;
     uint64_t segment = 0;
-    std::string defines = {};                      // of all passes: what keeps the fragments
+    std::string defines = {};                      // of all passes; they select where fragments are kept
     std::function<void(Pass&)> bind = {};          // to all passes, besides the triangles
     std::function<void(Pass&)> bindFragments = {}; // to the passes that find fragments
     ResourceId triangles = noResource;             // set by count()
 
     // Adds the pass that sums the triangles of draws.
     void count(PlanBuilder& b);
-    // Adds passes that find the fragments of all triangles, which may follow repeatedly.
-    void expand(PlanBuilder& b, const Dispatch& groups) const;
+    // Adds passes that find the fragments of all triangles. It may be called several times.
+    // step   Follows the names of the passes.
+    void expand(PlanBuilder& b, const Dispatch& groups, const std::string& step = {}) const;
 
 private:
-    Pass& add(PlanBuilder& b, const char* name, const char* shader, const Dispatch& dispatch) const;
+    Pass& add(PlanBuilder& b, const std::string& name, const char* shader, const Dispatch& dispatch) const;
     void bindFetch(PlanBuilder& b, Pass& pass) const;
 };
 
