@@ -38,12 +38,15 @@ inline void expectThoseOfTheRasteriser(const Shown& got, const Shown& expected, 
 
 TYPED_TEST_P(ExpandedIdsCases, ImagesAreThoseOfTheRasteriser) {
     const uint64_t stored = AGAA_CONFIG_BUFFERED;
+    SettingCounter<TypeParam> counter;
     for (const auto& [n, c, flags] : {std::tuple{1u, 1u, UINT64_C(0)},
                                       {4u, 2u, stored},
-                                      {8u, 2u, UINT64_C(0)},
                                       {8u, 4u, stored},
+                                      {8u, 2u, UINT64_C(0)},
                                       {16u, 2u, UINT64_C(0)},
                                       {32u, 4u, UINT64_C(0)}}) {
+        if (!counter.rendersNext())
+            continue;
         SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
         Shot shot = idsShot();
         for (Triangle& t : shot.triangles) {
@@ -72,7 +75,10 @@ TYPED_TEST_P(ExpandedIdsCases, SamplesAreThoseOfTheRasteriser) {
             p = {at.x + place(i % 3 ? 12 : 90), at.y + place(i % 3 ? 12 : 90), p.z};
         shot.triangles.push_back(t);
     }
+    SettingCounter<TypeParam> counter;
     for (const uint32_t n : {4u, 8u, 32u}) {
+        if (!counter.rendersNext())
+            continue;
         SCOPED_TRACE(n);
         ViewSettings settings = idsSettings(n, 4);
         settings.width = settings.height = 258;
@@ -182,6 +188,8 @@ TYPED_TEST_P(ExpandedIdsCases, NearPlane) {
         shot.triangles.push_back(t);
     }
     for (const bool isReversed : {false, true}) {
+        if (!rendersSetting<TypeParam>(isReversed))
+            continue;
         SCOPED_TRACE(isReversed);
         ViewSettings settings = idsSettings(8, 2);
         if (isReversed) {
