@@ -251,7 +251,7 @@ typedef struct AgaaFrame {
      * It must be the same in all segments of a frame. With 0 in every frame the pattern stands still; with a
      * different number per frame, images that are accumulated over frames converge. Cut-outs do not depend on it. */
     uint32_t ditherFrame;
-    AgaaDrawCallback draw; /* may be null if the view has no draw passes */
+    AgaaDrawCallback draw; /* null only if the view has no draw passes */
     void* drawUser;
     /* The facts of this frame; null: the facts of the view. They must be the same in all segments of a frame, and
      * within the facts of the view: effects, maxLights and shadowMapCount may only be fewer. Otherwise the frame
