@@ -77,6 +77,10 @@ bool isSampled(const TestScene& test) {
     return found == std::end(sharedScenes) || rendersSetting(size_t(found - std::begin(sharedScenes)));
 }
 
+bool isInShare(const TestScene& test, size_t share) {
+    return !test.hasCamera && rendersSetting(sceneNumber(test.name) + share);
+}
+
 size_t sceneNumber(const std::string& name) {
     const auto scenes = builtinScenes();
     const auto found = std::ranges::find(scenes, name, &BuiltinScene::name);

@@ -30,6 +30,11 @@ bool isSceneOf(const TestScene& test, const char* scene, const char* other);
 // Returns whether large tests render the scene: built-in ones and every second shared one. With AGAA_ALL_SETTINGS in
 // the environment they render all of them.
 bool isSampled(const TestScene& test);
+// Returns whether tests of a graphics API render the scene: every second built-in scene. The tests of the other one
+// render the rest. With AGAA_ALL_SETTINGS in the environment both render all built-in scenes.
+bool isInShare(const TestScene& test, size_t share);
+constexpr size_t openGlShare = 0, vulkanShare = 1;
+constexpr const char* otherApi = "the other graphics API covers it, or scripts/test --exhaustive";
 // Returns the number of a built-in scene, or 0.
 size_t sceneNumber(const std::string& name);
 // Skips the running test if a shared scene is missing.
