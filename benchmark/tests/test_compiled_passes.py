@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests that compiled passes meet the bounds of benchmark/compiled_bounds.py, by compiling them for AMD GPUs.
 
-AGAA_COMPILED=all compiles all configurations, otherwise COVERING. The program exits with 77 where RADV cannot compile.
+AGAA_COMPILED=all compiles all configurations for all chips, otherwise COVERING for the first. The program exits with 77 where RADV cannot compile.
 """
 import fnmatch
 import os
@@ -36,10 +36,11 @@ class Passes(unittest.TestCase):
     def test_meet_their_bounds(self):
         self.maxDiff = None
         found = {configuration.name: configuration for configuration in compiled.configurations()}
-        names = found if os.environ.get("AGAA_COMPILED") == "all" else COVERING
-        rows = compiled.measure(self.compiler, [found[name] for name in names], compiled.CHIPS)
+        isAll = os.environ.get("AGAA_COMPILED") == "all"
+        names, chips = (found, compiled.CHIPS) if isAll else (COVERING, compiled.CHIPS[:1])
+        rows = compiled.measure(self.compiler, [found[name] for name in names], chips)
         self.assertFalse([row for row in rows if "refusal" in row])
-        self.assertEqual(compiled_bounds.failures(rows, compiled.CHIPS), [])
+        self.assertEqual(compiled_bounds.failures(rows, chips), [])
 
     def test_known_misses_are_compiled(self):
         for row in compiled_bounds.KNOWN_MISSES:
