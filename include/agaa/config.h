@@ -175,6 +175,12 @@ typedef enum AgaaTier {
  * ("dcaa", FRAGMENTS) fails with AGAA_ERROR_UNSUPPORTED. Debug views are not accumulated. */
 #define AGAA_CONFIG_ACCUMULATE UINT64_C(0x80)
 
+/* Weight the light of each shading event of a pixel by 1 / (1 + exposure * luminance) (Karis 2013), so that edges
+ * between surfaces of very different brightness stay smooth after tone mapping. The output stays linear: it is the
+ * weighted mean. The background counts as an event. Events brighter than 65536 / exposure are scaled down to it.
+ * AgaaFrame::exposure. Debug views and techniques with one sample are not changed by it. */
+#define AGAA_CONFIG_HDR_RESOLVE UINT64_C(0x100)
+
 /* Compare each material with AgaaSceneFacts (agaaGetFactReport). Implies AGAA_CONFIG_COUNTERS. */
 #define AGAA_CONFIG_CHECK_FACTS UINT64_C(0x40)
 

@@ -263,12 +263,27 @@ typedef struct AgaaFrame {
      * facts. Draws of a frame without SPECULAR must write specular 0 and alpha2 1, without EMISSIVE emissive 0;
      * otherwise the grouping of samples depends on the variants that are prepared. */
     const AgaaSceneFacts* facts;
+    /* The factor by which the host's tone mapping multiplies the output, [0, 1e9]: 1 / exposure is the luminance that
+     * it shows at half brightness, as x / (1 + x) does. Views with AGAA_CONFIG_HDR_RESOLVE read it with
+     * AGAA_SEGMENT_SHADING; 0 gives all events the same weight. */
+    float exposure;
+    /* Pixels of the frame, up to those of the view, for hosts that change the resolution from frame to frame: nothing
+     * is allocated or compiled. 0 and 0: those of the view, and of the output. The frame uses the corner at (0, 0) of
+     * draw targets and of the view's images; buffers hold its pixels row by row without gaps. A frame of another size
+     * than the one before has no history and no memory of sample counts. The same in all segments of a frame. */
+    uint32_t width, height;
+    /* The pixel of the output that receives the frame's pixel (0, 0), so that several views may share an output. The
+     * output holds the frame; pixels outside it keep their contents, with a Vulkan outputLayoutIn that preserves them.
+     * Not 0 only with width and height. Read with AGAA_SEGMENT_SHADING. */
+    uint32_t outputX, outputY;
+    uint32_t reserved; /* 0 */
 } AgaaFrame;
 #define AGAA_FRAME_INIT                                                                                                \
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,                          \
             {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, (uint32_t)sizeof(AgaaLight),                  \
-            (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL, NULL                     \
+            (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL, NULL, 1.0f, 0, 0,        \
+            0, 0, 0                                                                                                    \
     }
 /* Initialises a frame. It sets lightSize and shadowSize to 0: the host must set them. */
 AGAA_API void AGAA_CALL agaaInitFrame(AgaaFrame* outFrame, size_t structSize);

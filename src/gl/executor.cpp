@@ -1,5 +1,6 @@
 // Runs a frame: checks it, then runs the passes of its segments. The host's state is restored around draw callbacks.
 #include "core/base/error.h"
+#include "core/frame/frame_checks.h"
 #include "core/frame/frame_data.h"
 #include "gl/bindings.h"
 #include "gl/formats.h"
@@ -116,7 +117,7 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const
     const Pass& pass = plan.passes[step.pass];
     if (pass.draw().clearsColor || pass.draw().clearsDepth)
         clearTargets(step.pass);
-    AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass]);
+    AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass], extentOf(frame, plan));
     target.framebuffer = framebuffers[step.pass];
     std::vector<float> constants;
     if (context.dialect.constants == AGAA_GL_CONSTANTS_UNIFORMS) {
@@ -190,14 +191,14 @@ static bool usesOutput(const Plan& plan, const Pass& pass) {
     });
 }
 
-void View::dispatch(const Dispatch& dispatch, uint32_t slot) {
+void View::dispatch(const Dispatch& dispatch, FrameExtent extent, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     if (dispatch.kind == DispatchKind::Indirect) {
         gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resources->buffer(dispatch.arguments, slot));
         gl.DispatchComputeIndirect(GLintptr(dispatch.argumentsOffset));
         return;
     }
-    const auto [x, y] = plan.groups(dispatch);
+    const auto [x, y] = plan.groups(dispatch, extent);
     gl.DispatchCompute(x, y, 1);
 }
 
@@ -224,7 +225,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.emptyFramebuffer);
         gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
-        dispatch(pass.compute().dispatch, slot);
+        dispatch(pass.compute().dispatch, extentOf(frame, plan), slot);
         break;
     }
     case PassKind::Fill:
@@ -307,11 +308,12 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const V
 
 AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
     AgaaSceneFacts facts;
+    const bool isPlaced = frame.width != 0;
     checkFrame(frame, facts);
     context.requireAlive();
     try {
         checkContextState();
-        outputFormat_ = checkTarget(frame, glFrame);
+        outputFormat_ = checkTarget(frame, glFrame, isPlaced);
     } catch (...) {
         context.requireAlive(); // queries of a context that was lost meanwhile leave values of a wrong object
         throw;
@@ -321,6 +323,8 @@ AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
     HostState state(context); // if it throws, no pass has run
     try {
         uploadFrame(frame, slot);
+        if (sequence.changesSize(frame))
+            resources->clearPersistent(plan);
         runPasses(frame, glFrame, variant, slot, state);
         state.finish();
     } catch (...) {

@@ -55,7 +55,7 @@ void View::checkContextState() const {
             "transform feedback is active; pause or end it before the frame.");
 }
 
-GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const {
+GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame, bool isPlaced) const {
     checkReserved(glFrame.reserved, "AgaaGlFrame::reserved");
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return GL_NONE;
@@ -65,7 +65,12 @@ GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) con
     checkTexture(context, output, GL_TEXTURE_2D, "AgaaGlFrame::outputTexture", "TEXTURE_2D");
     const GLint width = levelParameter(gl, output, GL_TEXTURE_WIDTH);
     const GLint height = levelParameter(gl, output, GL_TEXTURE_HEIGHT);
-    if (uint32_t(width) != plan.view.width || uint32_t(height) != plan.view.height)
+    const uint64_t right = uint64_t(frame.outputX) + frame.width, top = uint64_t(frame.outputY) + frame.height;
+    if (isPlaced && (uint64_t(width) < right || uint64_t(height) < top))
+        fail(AGAA_ERROR_OUT_OF_RANGE,
+             format("AgaaGlFrame::outputTexture is %dx%d; the frame ends at %llu, %llu.", width, height,
+                    static_cast<unsigned long long>(right), static_cast<unsigned long long>(top)));
+    if (!isPlaced && (uint32_t(width) != plan.view.width || uint32_t(height) != plan.view.height))
         fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaGlFrame::outputTexture is %dx%d; the view is %ux%u.", width, height,
                                              plan.view.width, plan.view.height));
     const auto texels = GLenum(levelParameter(gl, output, GL_TEXTURE_INTERNAL_FORMAT));

@@ -81,6 +81,17 @@ void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
                          bytesPerTexel(resource.format);
 }
 
+static void clear(const GladGLContext& gl, GLuint buffer) {
+    gl.ClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void ViewResources::clearPersistent(const Plan& plan) {
+    for (ResourceId id = 0; id < plan.resources.size(); ++id)
+        if (plan.resources[id].isPersistent)
+            for (const GLuint buffer : resources_[id].buffers)
+                clear(context_.gl, buffer);
+}
+
 void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuResource& out) {
     const GladGLContext& gl = context_.gl;
     for (uint32_t copy = 0; copy < resource.copies; ++copy) {
@@ -93,7 +104,7 @@ void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuRe
         gl.NamedBufferData(buffer, GLsizeiptr(resource.bytes), nullptr, usage);
         context_.label(GL_BUFFER, buffer, "agaa " + resource.name);
         if (resource.isPersistent)
-            gl.ClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+            clear(gl, buffer);
         if (resource.isPerPixel())
             payloadBytes_ += resource.bytes;
         if (texels == GL_NONE)

@@ -24,6 +24,7 @@ public:
     const GpuResource& operator[](ResourceId id) const { return resources_[id]; }
     GLuint buffer(ResourceId id, uint32_t slot) const;
     GLuint bufferImage(ResourceId id, uint32_t slot) const;
+    void clearPersistent(const Plan& plan);
     uint64_t payloadBytes() const { return payloadBytes_; } // per-pixel surfaces as created
 
 private:

@@ -47,7 +47,7 @@ private:
 
     void checkContextState() const;
     // Returns the output's format, or GL_NONE if the frame does not shade.
-    GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
+    GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame, bool isPlaced) const;
     std::byte* beginUpload(ResourceId buffer, uint32_t slot) override;
     void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) override;
     void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
@@ -58,7 +58,7 @@ private:
                  uint32_t slot, HostState& state);
     void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                      HostState& state);
-    void dispatch(const Dispatch& dispatch, uint32_t slot);
+    void dispatch(const Dispatch& dispatch, FrameExtent extent, uint32_t slot);
     void clearColor(size_t pass) const;
     void clearTargets(size_t pass);
     void bindConstants(GLuint point, ResourceId resource, uint32_t slot);

@@ -56,7 +56,7 @@ void View::endCondition(const Step& step, VkCommandBuffer commands) const {
 // The condition begins and ends in the host's command buffer, inside the render pass, so that the device does not need
 // inheritedConditionalRendering.
 AgaaResult View::callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands) {
-    AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass]);
+    AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass], extentOf(frame, plan));
     target.commandBuffer = commands;
     target.descriptorSet = (uint64_t)passes[step.pass].sets[slot];
     beginCondition(step, slot, commands);
@@ -81,8 +81,8 @@ void View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
     }
 }
 
-void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
-                         VkCommandBuffer commands) {
+void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, FrameExtent extent,
+                         uint32_t slot, VkCommandBuffer commands) {
     const PassObjects& objects = passes[pass];
     const VkDescriptorSet sets[] = {objects.sets[slot], (VkDescriptorSet)vkFrame.functionSet};
     context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, (VkPipeline)variant.programs[pass]);
@@ -93,13 +93,15 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, siz
         context.vk.CmdDispatchIndirect(commands, resources->buffer(dispatch.arguments, slot), dispatch.argumentsOffset);
         return;
     }
-    const auto [x, y] = plan.groups(dispatch);
+    const auto [x, y] = plan.groups(dispatch, extent);
     context.vk.CmdDispatch(commands, x, y, 1);
 }
 
 // Persistent buffers must be cleared if no frame has cleared them, or if the host discarded the frame that did. While
 // that frame is unfinished, the device is expected to execute it.
 bool View::needsClear(const AgaaFrame& frame) {
+    if (sequence.changesSize(frame))
+        return true;
     if (isCleared_)
         return false;
     const FrameSequence::Slot* clearing = clearedIn_ ? sequence.find(clearedIn_) : nullptr;
@@ -183,7 +185,8 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     AgaaResult result = AGAA_OK;
     switch (pass.kind()) {
     case PassKind::HostDraw:
-        beginHostRendering(context, pass, hostPasses[index], passes[index].target, *resources, commands);
+        beginHostRendering(context, pass, targetExtent(plan, pass, extentOf(frame, plan)), hostPasses[index],
+                           passes[index].target, *resources, commands);
         if (context.secondary)
             vk.CmdExecuteCommands(commands, 1, &slots[slot].secondaries[index]);
         else
@@ -192,7 +195,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
         break;
     case PassKind::Compute:
         beginCondition(step, slot, commands);
-        recordCompute(vkFrame, variant, index, slot, commands);
+        recordCompute(vkFrame, variant, index, extentOf(frame, plan), slot, commands);
         endCondition(step, commands);
         break;
     case PassKind::Fill:
@@ -218,6 +221,7 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, cons
     if (begins && needsClear(frame)) {
         clearPersistent(commands);
         clearedIn_ = frame.frameIndex;
+        isCleared_ = false;
     }
     for (size_t number = 0; number < steps.size(); ++number)
         if (plan.passes[steps[number].pass].segment & frame.segments)

@@ -118,9 +118,9 @@ void destroyHostRenderTarget(const Context& context, HostRenderTarget& target) {
     context.vk.DestroyRenderPass(context.device, target.renderPass, nullptr);
 }
 
-void beginHostRendering(const Context& context, const Pass& pass, const HostPass& hostPass,
+void beginHostRendering(const Context& context, const Pass& pass, FrameExtent extent, const HostPass& hostPass,
                         const HostRenderTarget& target, const ViewResources& resources, VkCommandBuffer commands) {
-    const VkRect2D area{{0, 0}, {pass.draw().width, pass.draw().height}};
+    const VkRect2D area{{0, 0}, {extent.width, extent.height}};
     const bool hasDepth = hostPass.depthFormat != Format::None;
     if (target.renderPass) {
         std::vector<VkClearValue> clears;

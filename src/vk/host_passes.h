@@ -18,7 +18,7 @@ void createHostRenderTarget(const Context& context, const Plan& plan, const Pass
                             const ViewResources& resources, HostRenderTarget& out);
 void destroyHostRenderTarget(const Context& context, HostRenderTarget& target);
 
-void beginHostRendering(const Context& context, const Pass& pass, const HostPass& hostPass,
+void beginHostRendering(const Context& context, const Pass& pass, FrameExtent extent, const HostPass& hostPass,
                         const HostRenderTarget& target, const ViewResources& resources, VkCommandBuffer commands);
 void endHostRendering(const Context& context, const HostRenderTarget& target, VkCommandBuffer commands);
 // Begins a secondary command buffer for use inside the pass's rendering.

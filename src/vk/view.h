@@ -76,8 +76,8 @@ private:
     // number: index of the step.
     void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
                     uint32_t slot, VkCommandBuffer commands);
-    void recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
-                       VkCommandBuffer commands);
+    void recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, FrameExtent extent,
+                       uint32_t slot, VkCommandBuffer commands);
     void recordFill(const FillPart& fill, uint64_t frameIndex, uint32_t slot, VkCommandBuffer commands);
     void recordTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot, VkCommandBuffer commands);
     bool needsClear(const AgaaFrame& frame);

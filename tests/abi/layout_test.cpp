@@ -26,7 +26,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaDrawPass, 152);
     EXPECT_SIZE(AgaaLight, 64);
     EXPECT_SIZE(AgaaShadow, 392);
-    EXPECT_SIZE(AgaaFrame, 256);
+    EXPECT_SIZE(AgaaFrame, 280);
     EXPECT_SIZE(AgaaGBufferFunction, 56);
     EXPECT_SIZE(AgaaFetchFunction, 64);
     EXPECT_SIZE(AgaaShadowFunction, 48);
@@ -75,6 +75,9 @@ TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaFrame, lights, 184);
     EXPECT_OFFSET(AgaaFrame, draw, 232);
     EXPECT_OFFSET(AgaaFrame, facts, 248);
+    EXPECT_OFFSET(AgaaFrame, exposure, 256);
+    EXPECT_OFFSET(AgaaFrame, width, 260);
+    EXPECT_OFFSET(AgaaFrame, outputX, 268);
     EXPECT_OFFSET(AgaaDrawTarget, state, 40);
     EXPECT_OFFSET(AgaaDrawTarget, pipelineKey, 104);
     EXPECT_OFFSET(AgaaGoal, measured, 56);

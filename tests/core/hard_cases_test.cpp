@@ -159,7 +159,7 @@ TEST(HardCase55_OddSizes, EveryPixelHasAnInvocation) {
         plan.view.width = i < std::size(listed) ? listed[i][0] : 1 + random.below(16384);
         plan.view.height = i < std::size(listed) ? listed[i][1] : 1 + random.below(16384);
         const uint32_t side = 8u << random.below(3);
-        const auto [across, down] = plan.groups({.groupSide = side});
+        const auto [across, down] = plan.groups({.groupSide = side}, plan.extent());
         const double pixels = double(plan.view.width) * plan.view.height;
         const auto missing = [&](double columns, double rows) {
             return pixels -
@@ -170,7 +170,7 @@ TEST(HardCase55_OddSizes, EveryPixelHasAnInvocation) {
         EXPECT_LT(double(across) * side - plan.view.width, side);
         // Passes over items cover them in rows, with fewer groups than two rows too many.
         const uint64_t items = 1 + random.bits() % (UINT64_C(1) << 37);
-        const auto [columns, rows] = plan.groups({.kind = DispatchKind::Items, .items = items});
+        const auto [columns, rows] = plan.groups({.kind = DispatchKind::Items, .items = items}, plan.extent());
         ASSERT_GE(uint64_t(columns) * rows * itemsPerGroup, items);
         ASSERT_LE(columns, groupsPerRow);
     }

@@ -173,6 +173,7 @@ const std::map<std::string, Switch>& switches() {
         {"buffered", option(AGAA_CONFIG_BUFFERED)},
         {"fine-materials", option(AGAA_CONFIG_FINE_MATERIALS)},
         {"unfetched-draws", [](Host& h, bool on) { setFlag(h.fetch.flags, AGAA_FETCH_NOT_ALL_DRAWS, on); }},
+        {"hdr-resolve", option(AGAA_CONFIG_HDR_RESOLVE)},
         {"composite", [](Host& h, bool on) { setFlag(h.desc.flags, AGAA_VIEW_COMPOSITE, on); }},
         {"counters", option(AGAA_CONFIG_COUNTERS)},
         {"fact-checks", option(AGAA_CONFIG_CHECK_FACTS)},

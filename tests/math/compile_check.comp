@@ -20,6 +20,7 @@
 #include "../../src/shaders/math/surface_merge.glsl"
 #include "../../src/shaders/math/surface_resolve.glsl"
 #include "../../src/shaders/math/display.glsl"
+#include "../../src/shaders/math/hdr_weight.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/ndf.glsl"
@@ -65,6 +66,7 @@ void main() {
     acc += inside.at + inside.dx + inside.dy + inside.facing;
     acc += agaa_emissiveFactor(v, acc);
     acc.x += agaa_mixDisplayed(x.x, x.y, x.z) + agaa_colorDifference(agaa_displayed(v), t) + agaa_displayLuma(v);
+    acc.xyz += agaa_lightOfWeightedMean(agaa_weightByLuminance(v, x.x), x.x);
     acc.x += agaa_isCutoutByFacts(x.x, x.y > 0.0, x.z > 0.0) && agaa_isEmissive(v, x.w) ? 1.0 : 0.0;
     acc.y += agaa_isElsewhere(x.xy, x.z, x.w, x.x, x.y) ? 1.0 : 0.0;
     acc.z += agaa_fromOrderedBits(agaa_orderingWord(id, id + 5u, AGAA_FRAGMENT_MASK_AT + 2u));

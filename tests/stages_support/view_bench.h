@@ -25,6 +25,7 @@ public:
         else
             own_->setTriangles(triangles);
     }
+    bool keepsOutput = false; // a frame begins with the output of the one before
     // Renders the next frame and returns its pixels.
     std::vector<float> rgb() {
         AgaaFrame frame = view().frame();
@@ -35,6 +36,10 @@ public:
         Host::run(view(), [&](typename Host::Frame& native) {
             if (ids_)
                 ids_->bind(native);
+            if constexpr (requires { native.outputLayoutIn; })
+                if (keepsOutput && hasOutput_)
+                    native.outputLayoutIn = native.outputLayoutOut;
+            hasOutput_ = true;
             EXPECT_EQ(Host::recordFrame(view().get(), &frame, &native), AGAA_OK);
         });
         return withoutAlpha(Host::rgba(view()));
@@ -48,6 +53,7 @@ public:
     }
 
 private:
+    bool hasOutput_ = false;
     std::vector<AgaaLight> lights_;
     std::function<void(AgaaFrame&)> change_;
     std::optional<typename Host::Ids> ids_;

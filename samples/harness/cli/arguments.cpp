@@ -224,6 +224,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);
     flag(arguments.fineMaterials, AGAA_CONFIG_FINE_MATERIALS);
     flag(arguments.buffered, AGAA_CONFIG_BUFFERED);
+    flag(arguments.hdrResolve, AGAA_CONFIG_HDR_RESOLVE);
     flag(arguments.checkFacts, AGAA_CONFIG_CHECK_FACTS);
     const auto measure = [&](bool on, uint64_t bit) { config.measurement.flags |= on ? bit : 0; };
     measure(arguments.noStencil, AGAA_MEASURE_NO_STENCIL);

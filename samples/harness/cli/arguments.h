@@ -53,6 +53,8 @@ struct PlanArguments {
     bool firstSampleRouting = false;
     bool splitSurfaces = false;
     bool fineMaterials = false;
+    bool hdrResolve = false;
+    double exposure = 1;
     bool lit = false;
     bool buffered = false;
     uint32_t unfetchedEvery = 0; // tier IDS: every unfetchedEvery-th draw cannot be fetched; 0: none

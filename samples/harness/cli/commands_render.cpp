@@ -92,6 +92,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     const auto jitter = parseNumbers(arguments.jitter, 2, "--jitter");
     settings.jitter = {jitter[0], jitter[1]};
     settings.jitterPositions = arguments.plan.temporal.jitterPositions;
+    settings.exposure = float(arguments.plan.exposure);
     return settings;
 }
 

@@ -50,6 +50,8 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--shading-cost", a.shadingCost, "evaluate lighting this many times");
     app.add_flag("--split-surfaces", a.splitSurfaces, "agaa: one surface may make several aggregates");
     app.add_flag("--fine-materials", a.fineMaterials, "agaa by id: a material in each texel of the scaled target");
+    app.add_flag("--hdr-resolve", a.hdrResolve, "weight light by 1 / (1 + exposure luminance)");
+    app.add_option("--exposure", a.exposure, "of --hdr-resolve")->check(CLI::Range(0.0, 1e9));
     app.add_flag("--first-sample-routing", a.firstSampleRouting, "the paper's algorithm 2, step 2 (c)");
     app.add_flag("--no-diffuse-filter", a.noDiffuseFilter);
     app.add_flag("--no-shadow-filter", a.noShadowFilter);

@@ -248,6 +248,7 @@ AgaaFrame HostRenderer::describeFrame(const FrameInput& input) const {
     frame.facts = input.facts;
     std::copy_n(glm::value_ptr(input.settings.ambient), 3, frame.ambient);
     std::copy_n(glm::value_ptr(input.settings.background), 4, frame.background);
+    frame.exposure = input.settings.exposure;
     frame.ditherFrame = input.settings.ditherFrame;
     frame.draw = onDraw;
     frame.drawUser = const_cast<HostRenderer*>(this);

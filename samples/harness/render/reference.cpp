@@ -29,21 +29,28 @@ AgaaLayout referenceLayout(const AgaaLayout* own) {
 
 namespace {
 
+// The mean of images, in which each pixel has the weight of AGAA_CONFIG_HDR_RESOLVE; with exposure 0 all are equal.
 class Accumulator {
 public:
+    explicit Accumulator(double exposure) : exposure_(exposure) {}
     void add(const Image& image) {
-        if (sums_.empty())
-            sums_.assign(image.rgb.size(), 0.0);
-        for (size_t i = 0; i < sums_.size(); ++i)
-            sums_[i] += double(image.rgb[i]);
-        ++count_;
+        sums_.resize(image.rgb.size());
+        weights_.resize(image.rgb.size() / 3);
+        for (size_t pixel = 0; pixel < weights_.size(); ++pixel) {
+            const float* c = &image.rgb[3 * pixel];
+            const double luminance = 0.2126 * double(c[0]) + 0.7152 * double(c[1]) + 0.0722 * double(c[2]);
+            const double weight = 1 / (1 + exposure_ * std::max(luminance, 0.0));
+            for (size_t i = 0; i < 3; ++i)
+                sums_[3 * pixel + i] += weight * double(c[i]);
+            weights_[pixel] += weight;
+        }
     }
-    double mean(size_t i) const { return sums_[i] / double(count_); }
+    double mean(size_t i) const { return sums_[i] / weights_[i / 3]; }
     size_t size() const { return sums_.size(); }
 
 private:
-    std::vector<double> sums_;
-    size_t count_ = 0;
+    double exposure_;
+    std::vector<double> sums_, weights_;
 };
 
 } // namespace
@@ -62,7 +69,8 @@ Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t 
     // A dither pattern that all frames share would remain in the image. A pattern that references share would remain in
     // their difference.
     const uint32_t firstDither = settings.ditherFrame * spp + 1;
-    Accumulator halves[2];
+    const Accumulator none(settings.config.flags & AGAA_CONFIG_HDR_RESOLVE ? double(settings.exposure) : 0.0);
+    Accumulator halves[] = {none, none};
     Reference reference;
     for (uint32_t i = 0; i < spp; ++i) {
         settings.jitter = centre + pixelOffset(i);

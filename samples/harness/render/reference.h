@@ -34,8 +34,9 @@ struct Reference {
 };
 // Renders the settings' frame with spp samples per pixel (at least 2) around the settings' jitter. The settings'
 // technique, samples and footprint are not used; their layout is widened. Every frame has one sample, hard cut-outs and
-// its own random numbers for translucent surfaces. The frames form two halves that share no random numbers. References
-// with the same spp and different ditherFrame share none either.
+// its own random numbers for translucent surfaces. With AGAA_CONFIG_HDR_RESOLVE samples have the weights of events. The
+// frames form two halves that share no random numbers. References with the same spp and different ditherFrame share
+// none either.
 Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
                           const std::function<void(uint32_t done)>& progress = {},
                           Footprint footprint = Footprint::Pixel);

@@ -42,6 +42,7 @@ struct RenderSettings {
     std::vector<Light> lights;
     glm::vec3 ambient{0.25f};
     glm::vec4 background{0.32f, 0.45f, 0.65f, 1.0f};
+    float exposure = 1;    // read with AGAA_CONFIG_HDR_RESOLVE
     bool reversedZ = true; // reversed depth with an infinite far plane
     glm::dvec2 jitter{0};  // offset of the image plane, in pixels
     // Views that accumulate frames: each frame adds a position of agaaGetJitter() to the jitter.

@@ -119,6 +119,22 @@ AgaaSceneFacts factsOf(const AgaaFrame& frame, const Plan& plan) {
     return facts;
 }
 
+FrameExtent extentOf(const AgaaFrame& frame, const Plan& plan) {
+    return frame.width ? FrameExtent{frame.width, frame.height} : plan.extent();
+}
+
+// The output may be larger than the frame only if the frame names its size, so that a forgotten resize is found.
+static void checkPlace(const AgaaFrame& frame, const Plan& plan) {
+    checkReserved(frame.reserved, "AgaaFrame::reserved");
+    if (!frame.width && !frame.height) {
+        require(!frame.outputX && !frame.outputY, AGAA_ERROR_OUT_OF_RANGE,
+                "AgaaFrame::outputX and outputY need width and height.");
+        return;
+    }
+    checkRange(uint64_t(frame.width), 1, plan.view.width, "AgaaFrame::width (against AgaaViewDesc::width)");
+    checkRange(uint64_t(frame.height), 1, plan.view.height, "AgaaFrame::height (against AgaaViewDesc::height)");
+}
+
 void checkFrame(const AgaaFrame& frame, const Plan& plan) {
     const AgaaSceneFacts& facts = *frame.facts;
     require(frame.segments != 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment.");
@@ -127,6 +143,7 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
             "AgaaFrame::completedFrame is not before frameIndex.");
     require(frame.draw || plan.geometryPasses() == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
     checkMatrices(frame, plan.view.reversedZ);
+    checkPlace(frame, plan);
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return; // other segments read no lights, shadows and colours
     checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,
@@ -147,6 +164,7 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
         checkRange(double(value), 0.0, 65504.0, "AgaaFrame::ambient");
     for (float value : frame.background)
         checkRange(double(value), 0.0, 65504.0, "AgaaFrame::background");
+    checkRange(double(frame.exposure), 0.0, 1e9, "AgaaFrame::exposure");
 }
 
 void checkComposite(const AgaaFrame& frame, const Plan& plan) {

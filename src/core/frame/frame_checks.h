@@ -1,17 +1,17 @@
 // Checks of a frame's description. They run before anything is recorded or changed.
 #pragma once
 
-#include "agaa_sdk.h"
+#include "core/plan/plan.h"
 
 namespace agaa {
-
-struct Plan;
 
 // Returns the facts of the frame, or those of the view if it has none. Throws Error if they are not valid or not within
 // the facts of the view.
 AgaaSceneFacts factsOf(const AgaaFrame& frame, const Plan& plan);
 // Checks the frame against the plan of its view. frame.facts must be set.
 void checkFrame(const AgaaFrame& frame, const Plan& plan);
+// Returns the frame's pixels: those of the view, if it names none.
+FrameExtent extentOf(const AgaaFrame& frame, const Plan& plan);
 // Throws if the frame composites over the output and the view lacks AGAA_VIEW_COMPOSITE.
 void checkComposite(const AgaaFrame& frame, const Plan& plan);
 // Throw Error if the upper left of a matrix is not orthonormal, or if the matrix is not a projection as

@@ -32,8 +32,11 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame, const Sa
     out.isOrthographic = orthographic;
     // Fixed point has equal steps. Steps of float are relative to the depth.
     out.depthQuantum = plan.depthBits() ? std::ldexp(1.0f, -int(plan.depthBits())) : -std::ldexp(1.0f, -24);
-    out.size[0] = plan.view.width;
-    out.size[1] = plan.view.height;
+    const FrameExtent extent = extentOf(frame, plan);
+    out.size[0] = extent.width;
+    out.size[1] = extent.height;
+    out.outputPlace[0] = frame.outputX;
+    out.outputPlace[1] = frame.outputY;
     if (frame.facts)
         out.absentEffects = uint32_t(leftOut(*frame.facts, plan.view.facts));
     out.compositesOutput = frame.background[3] == 0.0f;
@@ -59,6 +62,7 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame, const Sa
     out.aggregates = plan.view.aggregates;
     out.fragmentCapacity = uint32_t(plan.fragmentCapacity);
     out.maxBatches = plan.view.coverage.maxBatches;
+    out.exposure = frame.exposure;
     if (plan.view.accumulates() && frame.segments & AGAA_SEGMENT_SHADING)
         writeTemporal(frame, turn, out);
     return out;

@@ -17,6 +17,8 @@ static std::array<float, 32> cameraOf(const AgaaFrame& frame) {
 
 static bool areEqual(const AgaaSceneFacts& a, const AgaaSceneFacts& b) { return isWithin(a, b) && isWithin(b, a); }
 
+static FrameExtent sizeOf(const AgaaFrame& frame) { return {frame.width, frame.height}; }
+
 void FrameSequence::startAfter(const FrameSequence& other) {
     frame_ = other.frame_;
     segments_ = AGAA_SEGMENT_ALL;
@@ -37,6 +39,8 @@ void FrameSequence::check(const AgaaFrame& frame) const {
                 "AgaaFrame::view or projection is not that of the frame's earlier segments.");
         require(frame.ditherFrame == ditherFrame_, AGAA_ERROR_OUT_OF_RANGE,
                 "AgaaFrame::ditherFrame is not that of the frame's earlier segments.");
+        require(sizeOf(frame) == extent_, AGAA_ERROR_OUT_OF_RANGE,
+                "AgaaFrame::width or height is not that of the frame's earlier segments.");
         require(areEqual(*frame.facts, facts_), AGAA_ERROR_OUT_OF_RANGE,
                 "AgaaFrame::facts are not those of the frame's earlier segments.");
         return;
@@ -58,8 +62,12 @@ uint32_t FrameSequence::slotOf(const AgaaFrame& frame) const {
 
 HistoryTurn FrameSequence::turnOf(const AgaaFrame& frame) const {
     const bool isNew = begins(frame);
-    const uint64_t previous = isNew ? (hasGap_ ? 0 : frame_) : previousFrame_;
+    const uint64_t previous = isNew ? (hasGap_ || changesSize(frame) ? 0 : frame_) : previousFrame_;
     return {uint32_t((frames_ + (isNew ? 1 : 0)) & 1), previous};
+}
+
+bool FrameSequence::changesSize(const AgaaFrame& frame) const {
+    return begins(frame) && extent_.width != 0 && extent_ != sizeOf(frame);
 }
 
 static FrameContent contentOf(const AgaaFrame& frame) {
@@ -73,11 +81,12 @@ static FrameContent contentOf(const AgaaFrame& frame) {
 void FrameSequence::recorded(const AgaaFrame& frame) {
     if (begins(frame)) {
         slot_ = slotOf(frame);
-        previousFrame_ = hasGap_ ? 0 : frame_;
+        previousFrame_ = hasGap_ || changesSize(frame) ? 0 : frame_;
         hasGap_ = false;
         ++frames_;
         frame_ = frame.frameIndex;
         camera_ = cameraOf(frame);
+        extent_ = sizeOf(frame);
         ditherFrame_ = frame.ditherFrame;
         facts_ = *frame.facts;
         segments_ = 0;

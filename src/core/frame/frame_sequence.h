@@ -3,6 +3,7 @@
 
 #include "agaa_sdk.h"
 #include "core/frame/temporal.h"
+#include "core/plan/plan.h"
 
 #include <array>
 #include <cstdint>
@@ -22,11 +23,13 @@ public:
 
     // Continues the frame numbers of another sequence. A frame that it began cannot continue.
     void startAfter(const FrameSequence& other);
-    // Throws Error if the frame may not follow what was recorded before. frame.facts must be set.
+    // Throws Error if the frame may not follow what was recorded before. frame.facts, width and height must be set.
     void check(const AgaaFrame& frame) const;
     bool begins(const AgaaFrame& frame) const { return frame.frameIndex != frame_; }
     uint32_t slotOf(const AgaaFrame& frame) const;
     HistoryTurn turnOf(const AgaaFrame& frame) const;
+    // Returns whether what the view remembers of earlier frames is of another size.
+    bool changesSize(const AgaaFrame& frame) const;
 
     void recorded(const AgaaFrame& frame);
     // Recording failed, and the host discards the commands. If earlier segments were recorded, the frame cannot
@@ -58,6 +61,7 @@ private:
     std::array<float, 32> camera_{}; // view and projection of the frame
     uint32_t ditherFrame_ = 0;       // of the frame
     AgaaSceneFacts facts_{};         // of the frame
+    FrameExtent extent_;             // of the frame
 };
 
 } // namespace agaa

@@ -25,14 +25,19 @@ void describeHostPass(const HostPass& hostPass, AgaaDrawPass& out) {
     out.glslVertex = textOrNull(hostPass.vertex);
 }
 
-AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& hostPass) {
+FrameExtent targetExtent(const Plan& plan, const Pass& pass, FrameExtent extent) {
+    return {pass.draw().width / plan.view.width * extent.width, pass.draw().height / plan.view.height * extent.height};
+}
+
+AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& hostPass, FrameExtent extent) {
     const Pass& pass = plan.passes[step.pass];
     AgaaDrawTarget target{};
     target.sType = AGAA_STRUCTURE_TYPE_DRAW_TARGET;
     target.structSize = sizeof target;
     target.pass = pass.draw().id;
-    target.width = pass.draw().width;
-    target.height = pass.draw().height;
+    const FrameExtent texels = targetExtent(plan, pass, extent);
+    target.width = texels.width;
+    target.height = texels.height;
     target.scaleX = plan.view.scaleX;
     target.scaleY = plan.view.scaleY;
     target.state = pass.draw().state;

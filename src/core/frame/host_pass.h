@@ -34,8 +34,11 @@ std::vector<ColorAttachment> colorAttachments(const Plan& plan, const Pass& pass
 // Sets the pipeline key and the GLSL members. The pointers are valid as long as hostPass.
 void describeHostPass(const HostPass& hostPass, AgaaDrawPass& out);
 
+// Returns the texels of the pass's target that a frame of this size draws.
+FrameExtent targetExtent(const Plan& plan, const Pass& pass, FrameExtent extent);
+
 // Returns the draw callback's argument. Members that depend on the graphics API are 0: the backend sets them.
-AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& hostPass);
+AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& hostPass, FrameExtent extent);
 
 // Calls the frame's draw callback. A callback that throws counts as failed.
 AgaaResult callDraw(const AgaaFrame& frame, const AgaaDrawTarget& target);

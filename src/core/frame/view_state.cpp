@@ -1,5 +1,6 @@
 #include "core/frame/view_state.h"
 
+#include "core/base/arguments.h"
 #include "core/base/error.h"
 #include "core/frame/frame_checks.h"
 #include "core/frame/frame_data.h"
@@ -68,6 +69,12 @@ void ViewState::checkFrame(AgaaFrame& frame, AgaaSceneFacts& facts) const {
     facts = factsOf(frame, plan);
     frame.facts = &facts;
     agaa::checkFrame(frame, plan);
+    const FrameExtent extent = extentOf(frame, plan);
+    frame.width = extent.width;
+    frame.height = extent.height;
+    const uint32_t most = owner.caps.maxImageSize; // of the output
+    checkRange(uint64_t(frame.outputX) + frame.width, 1, most, "AgaaFrame::outputX + width");
+    checkRange(uint64_t(frame.outputY) + frame.height, 1, most, "AgaaFrame::outputY + height");
     sequence.check(frame);
 }
 

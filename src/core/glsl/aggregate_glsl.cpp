@@ -26,7 +26,8 @@ std::string aggregateGlsl(const Plan& plan) {
 #define AGAA_CONSTANT(id, name, value) out += format("#define %s %uu\n", #name, shade->constants[name]);
 #include "shaders/tables/constants.inc"
 #undef AGAA_CONSTANT
-    out += format("#define AGAA_REPRESENTED 0\n#define AGAA_IMAGE_WIDTH %uu\n#define AGAA_EMISSIVE_RANGE %s\n",
+    out += format("#define AGAA_REPRESENTED 0\n#ifndef AGAA_IMAGE_WIDTH\n#define AGAA_IMAGE_WIDTH %uu\n#endif\n"
+                  "#define AGAA_EMISSIVE_RANGE %s\n",
                   plan.view.width, glslNumber(plan.view.layout.emissiveRange()).c_str());
     out += customGlsl(plan.view.layout);
     std::set<std::string> seen;

@@ -24,7 +24,7 @@ using glsl_mat4 = float[16];
 
 // src/shaders/tables/frame.inc. An element of an array in std140 has 16 bytes, so each vec4 of the table holds two
 // vectors.
-struct FrameConstants {
+struct alignas(16) FrameConstants {
 #define AGAA_FRAME_MEMBER(word, type, name) glsl_##type name;
 #define AGAA_FRAME_BUFFER_MEMBER(word, type, name) glsl_##type name;
 #define AGAA_FRAME_ARRAY(word, type, name, count) glsl_vec2 name[2 * (count)];
@@ -34,7 +34,6 @@ struct FrameConstants {
 #define AGAA_FRAME_BUFFER_MEMBER(word, type, name) static_assert(offsetof(FrameConstants, name) == 4 * (word));
 #define AGAA_FRAME_ARRAY(word, type, name, count) static_assert(offsetof(FrameConstants, name) == 4 * (word));
 #include "shaders/tables/frame.inc"
-static_assert(sizeof(FrameConstants) % 16 == 0);
 
 struct GpuShadow {
     float matrices[AGAA_MAX_SHADOW_LAYERS][16];

@@ -44,10 +44,10 @@ uint32_t Plan::geometryPasses() const {
                                   [](const Pass& pass) { return pass.kind() == PassKind::HostDraw; }));
 }
 
-std::pair<uint32_t, uint32_t> Plan::groups(const Dispatch& dispatch) const {
+std::pair<uint32_t, uint32_t> Plan::groups(const Dispatch& dispatch, FrameExtent extent) const {
     const auto divide = [](uint64_t count, uint64_t by) { return uint32_t((count + by - 1) / by); };
     if (dispatch.kind == DispatchKind::Pixels)
-        return {divide(view.width, dispatch.groupSide), divide(view.height, dispatch.groupSide)};
+        return {divide(extent.width, dispatch.groupSide), divide(extent.height, dispatch.groupSide)};
     const uint32_t groups = divide(dispatch.items, itemsPerGroup);
     return {std::min(groups, groupsPerRow), divide(groups, groupsPerRow)};
 }

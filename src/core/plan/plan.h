@@ -119,6 +119,12 @@ enum class DispatchKind {
 };
 inline constexpr uint32_t itemsPerGroup = AGAA_ITEMS_PER_GROUP, groupsPerRow = AGAA_GROUPS_PER_ROW;
 
+// The pixels of a frame, up to those of the view.
+struct FrameExtent {
+    uint32_t width = 0, height = 0;
+    bool operator==(const FrameExtent&) const = default;
+};
+
 struct Dispatch {
     DispatchKind kind = DispatchKind::Pixels;
     uint32_t groupSide = 8; // 8 for a tile, a multiple of 8 for a region of tiles
@@ -272,8 +278,9 @@ struct Plan {
     double bytesPerPixel() const { return double(totalBytes()) / (double(view.width) * view.height); }
     uint32_t geometryPasses() const;
     std::vector<Step> steps() const; // in the order in which they run
-    std::pair<uint32_t, uint32_t>
-    groups(const Dispatch& dispatch) const;            // across and down; not for indirect dispatches
+    // Returns workgroups across and down, of dispatches that are not indirect.
+    std::pair<uint32_t, uint32_t> groups(const Dispatch& dispatch, FrameExtent extent) const;
+    FrameExtent extent() const { return {view.width, view.height}; }
     ResourceId surface(const char* surfaceName) const; // per pixel; throws Error if there is none
 };
 

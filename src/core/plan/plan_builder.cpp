@@ -454,7 +454,17 @@ void PlanBuilder::checkLimits() const {
     plan.totalBytes(); // throws Error if the sum overflows
 }
 
+// Passes know whether they write the host's output, in which the frame has a place.
+void PlanBuilder::placeOutput() {
+    for (Pass& pass : plan.passes)
+        if (pass.kind() == PassKind::Compute)
+            pass.constants[AGAA_PLACES_OUTPUT] = std::ranges::any_of(pass.bindings, [&](const Binding& binding) {
+                return binding.writes && plan.resources[binding.resource].kind == ResourceKind::Output;
+            });
+}
+
 Plan PlanBuilder::finish() {
+    placeOutput();
     specialiseForVariant();
     findLifetimes();
     checkLimits();

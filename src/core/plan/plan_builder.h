@@ -98,6 +98,7 @@ private:
     bool variantHas(uint64_t fact) const { return plan.view.variantFacts.flags & fact; }
     uint32_t variantLitShadows() const; // among the shadows of the variant
     void stampFrame();
+    void placeOutput();
     void specialiseForVariant(); // disables effects that the variant lacks
     uint32_t listLength() const; // primitives that a workgroup processes at a time
     void checkLimits() const;

@@ -41,6 +41,8 @@ Constants constantsOf(const ResolvedView& view) {
         view.aggregation.glossWeight > 0 ? std::bit_cast<uint32_t>(view.aggregation.glossWeight) : 0; // not -0
     c[AGAA_LIT_SHADOWS] = view.aggregation.litShadows;
     c[AGAA_DEBUG_VIEW] = measurement.debugView;
+    c[AGAA_HDR_RESOLVE] =
+        (config.flags & AGAA_CONFIG_HDR_RESOLVE) && view.samples > 1 && measurement.debugView == AGAA_DEBUG_VIEW_NONE;
     c[AGAA_FAR_DEPTH] = !view.reversedZ;
     c[AGAA_GENERATION_TIER] = view.generationTier;
     // The samples of a texel share a fragment, for which a G-buffer has one material.

@@ -108,6 +108,7 @@ constexpr Effect table[] = {
      .need = "The materials of some draws cannot be fetched by id.",
      .isOn = [](const ViewSettings& view) { return view.someUnfetched; },
      .set = [](ViewSettings& view, bool on) { view.someUnfetched = on && view.maxDraws > 0; }},
+    option<AGAA_CONFIG_HDR_RESOLVE>("hdr-resolve", "Surfaces of very different brightness share a pixel."),
     {.name = "composite",
      .need = "Frames are drawn over an image that exists.",
      .isOn = [](const ViewSettings& view) { return view.composite; },

@@ -42,7 +42,7 @@ void agaa_completePixel(uvec2 pixel, uint covered) {
     agaa_countEvents(covered != 0u ? 1u : 0u);
     agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
     agaa_writePixel(pixel, agaa_pixelWork(covered != 0u ? 1u : 0u, 0u, covered),
-                    agaa_firstSample(ivec2(pixel)).rgb * float(covered));
+                    agaa_weightedLight(agaa_firstSample(ivec2(pixel)).rgb) * float(covered));
 }
 
 void main() {

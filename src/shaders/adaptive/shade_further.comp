@@ -15,6 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
+#include "common/event_light.glsl"
 #include "adaptive/sample_choice.glsl"
 #include "adaptive/choose_more.glsl"
 #include "gbuffer/sample_visibility.glsl"
@@ -183,10 +184,7 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
         agaa_findSpread(pixel, i, samples);
     agaa_fetchEvent(pixel, i, samples);
     agaa_setEventCustom(agaa_fetchedCustom());
-    agaa_Surface s = agaa_sampleSurface();
-    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)
-                               : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
-           weight;
+    return agaa_eventLight(0u, 0.0, agaa_sampleSurface(), agaa_samplePosition(pixel, i)) * weight;
 }
 
 // Shades all samples of the pixel in one invocation, as in the paper (section 4.2).
@@ -208,7 +206,7 @@ void main() {
     vec3 color = agaa_isAdaptive(AGAA_ADAPTIVE_LOOP) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
     if (inside) {
         if (!agaa_showsEvents())
-            color += agaa_firstSample(ivec2(pixel)).rgb * further.firstWeight;
+            color += agaa_weightedLight(agaa_firstSample(ivec2(pixel)).rgb) * further.firstWeight;
         agaa_writePixel(pixel, further.work, color * float(further.work.covered) / further.weights);
     }
     agaa_countEnd();

@@ -11,7 +11,7 @@
 #include "aggregate/lane_words.glsl"
 #include "aggregate/shadow_taps.glsl"
 #include "aggregate/mean_surface.glsl"
-#include "common/debug_view.glsl"
+#include "common/event_light.glsl"
 #include "common/sample_depth.glsl"
 #include "math/encoding.glsl"
 #include "math/statistics.glsl"
@@ -167,8 +167,6 @@ vec3 agaa_shadeMeans(uvec2 pixel, vec3 position, uint a, uint mask, agaa_Means m
 #if AGAA_LIT
     agaa_findLitSurfaces(pixel, mask, toEye);
 #endif
-    vec3 color =
-        agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s), s.diffuse) : agaa_lightSurface(s, position);
-    return color * float(bitCount(mask));
+    return agaa_eventLight(a, agaa_widening(means, s), s, position) * float(bitCount(mask));
 }
 #endif

@@ -24,6 +24,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/lighting.glsl"
 #include "common/output.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "common/event_light.glsl"
 #include "common/events.glsl"
 #include "common/tile_pixels.glsl"
 #include "aggregate/pixel_samples.glsl"
@@ -214,8 +215,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     agaa_tapSurface(pixel, head, mask, position);
     float widening;
     agaa_Surface s = agaa_findSurfaces(pixel, head, a, weight, agaa_toEye(position), widening);
-    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, widening, s.diffuse) : agaa_lightSurface(s, position);
-    return color * weight;
+    return agaa_eventLight(a, widening, s, position) * weight;
 }
 
 void main() {

@@ -4,6 +4,7 @@
 #if !defined(AGAA_FINDS_LIGHTS) || !defined(AGAA_OUTPUT_GLSL) || !defined(AGAA_LIST_VISIBILITY_GLSL)
 #error "shade_lists.glsl needs AGAA_FINDS_LIGHTS, output.glsl and list_visibility.glsl."
 #endif
+#include "common/event_light.glsl"
 #include "coverage/listed_tiles.glsl"
 #include "coverage/list_box.glsl"
 
@@ -15,7 +16,7 @@ vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
     agaa_tapSurface(pixel, plane, mask, position);
     float weight = float(agaa_coverageCount(mask));
     agaa_Surface s = agaa_materialOf(pixel, record, mask, middle);
-    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse) : agaa_lightSurface(s, position)) * weight;
+    return agaa_eventLight(0u, 0.0, s, position) * weight;
 }
 
 // head: of the resolved list.

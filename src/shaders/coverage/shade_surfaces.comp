@@ -13,6 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/output.glsl"
 #include "coverage/covered_surface.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "common/event_light.glsl"
 #include "common/tile.glsl"
 
 #if AGAA_IN_TARGETS
@@ -128,8 +129,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
         widening = max(sqrt(s.alpha2Along) - sqrt(m.alpha2), 0.0);
         agaa_count(AGAA_COUNT_WIDENED, widening > 0.0 ? 1u : 0u);
     }
-    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, widening, s.diffuse) : agaa_lightSurface(s, position);
-    return color * weight;
+    return agaa_eventLight(a, widening, s, position) * weight;
 }
 
 void main() {

@@ -7,6 +7,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
 #include "common/frame.glsl"
+#include "common/output_place.glsl"
 #include "common/target.glsl"
 #include "common/sample_depth.glsl"
 #include "math/history.glsl"
@@ -204,7 +205,7 @@ void agaa_accumulate(ivec2 pixel, ivec2 lane) {
     vec4 before = agaa_before(pixel, lane);
     float share = before.a > 0.0 ? max(uintBitsToFloat(AGAA_CURRENT_SHARE), 1.0 / (before.a + 1.0)) : 1.0;
     vec3 mixed = min(before.rgb + (color - before.rgb) * share, vec3(AGAA_MAX_HALF));
-    imageStore(agaa_output, pixel, vec4(mixed, 1.0));
+    imageStore(agaa_output, agaa_placeInWritten(pixel), vec4(mixed, 1.0));
     vec4 kept = AGAA_LAST_FRAME_ONLY != 0u ? vec4(color, 1.0) : vec4(mixed, min(1.0 / share, 2048.0));
     uint word = agaa_historyAt(pixel, agaa_frame.historySlot);
     agaa_history.words[word] = packHalf2x16(kept.rg);

@@ -7,6 +7,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
 #include "common/frame.glsl"
+#include "common/output_place.glsl"
 #include "math/display.glsl"
 
 layout(AGAA_BINDING_COLOR) uniform sampler2D agaa_shaded; // a: luma
@@ -115,6 +116,6 @@ vec3 agaa_filtered(ivec2 pixel) {
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (all(lessThan(pixel, agaa_frame.size)))
-        imageStore(agaa_output, ivec2(pixel),
+        imageStore(agaa_output, agaa_placeInWritten(ivec2(pixel)),
                    vec4(min(agaa_filtered(ivec2(pixel)), vec3(AGAA_MAX_HALF)), 1.0));
 }

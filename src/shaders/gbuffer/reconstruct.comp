@@ -109,7 +109,7 @@ void main() {
     uint covered = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)
         if (agaa_isCovered(pixel, i)) {
-            sum += agaa_reconstructed(pixel, i, ivec2(gl_LocalInvocationID.xy));
+            sum += agaa_weightedLight(agaa_reconstructed(pixel, i, ivec2(gl_LocalInvocationID.xy)));
             ++covered;
         }
     agaa_writeOutput(pixel, sum / float(AGAA_SAMPLES), covered);

@@ -43,7 +43,7 @@ void agaa_resolvePixel(uvec2 pixel) {
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
         vec4 texel = AGAA_FETCH(agaa_color, pixel, i);
         bool isShown = texel.a > 0.0 && !(agaa_isMarkedFarPlane(texel.rgb) && agaa_isAtFarPlane(pixel, i));
-        sum += isShown ? agaa_unmarkFarPlane(texel.rgb) : vec3(0.0);
+        sum += isShown ? agaa_weightedLight(agaa_unmarkFarPlane(texel.rgb)) : vec3(0.0);
         covered |= isShown ? 1u << i : 0u;
     }
     agaa_countSamples(pixel, covered);

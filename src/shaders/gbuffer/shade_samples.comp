@@ -11,6 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
+#include "common/event_light.glsl"
 #include "gbuffer/gbuffer.glsl"
 #include "gbuffer/sample_visibility.glsl"
 #define AGAA_MAX_EVENTS AGAA_SAMPLES
@@ -86,10 +87,7 @@ vec3 agaa_shadeEvent(uint lane, uint which) {
     agaa_findSpread(pixel, i, mask);
     agaa_fetchSample(pixel, i);
     agaa_setEventCustom(agaa_fetchedCustom());
-    agaa_Surface s = agaa_sampleSurface();
-    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse)
-                               : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
-           float(bitCount(mask));
+    return agaa_eventLight(0u, 0.0, agaa_sampleSurface(), agaa_samplePosition(pixel, i)) * float(bitCount(mask));
 }
 
 void main() {

@@ -14,9 +14,11 @@
 #include "depth_prepass_cases.h"
 #include "definition_cases.h"
 #include "fragments_cases.h"
+#include "frame_place_cases.h"
 #include "debug_view_cases.h"
 #include "hair_cases.h"
 #include "hard_geometry_cases.h"
+#include "hdr_resolve_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "interlock_cases.h"
@@ -54,6 +56,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HairCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, MaskCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FramePlaceCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HdrResolveCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, AdaptiveCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FactsCases, OpenGLHost);

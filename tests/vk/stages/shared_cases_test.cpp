@@ -14,9 +14,11 @@
 #include "depth_prepass_cases.h"
 #include "definition_cases.h"
 #include "fragments_cases.h"
+#include "frame_place_cases.h"
 #include "debug_view_cases.h"
 #include "hair_cases.h"
 #include "hard_geometry_cases.h"
+#include "hdr_resolve_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "interlock_cases.h"
@@ -56,6 +58,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HairCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, MaskCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FramePlaceCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HdrResolveCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, AdaptiveCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FactsCases, VulkanHost);

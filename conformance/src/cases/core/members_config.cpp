@@ -87,12 +87,12 @@ void addConfig(Suite& suite) {
                       largeNumbers({}),
                       nullptr,
                       {AGAA_NDF_SGGX + 1}});
-    addFlags(suite,
-             {"AgaaConfig.flags/flags", "AgaaConfig::flags",
-              [](ViewParts& p, uint64_t flags) { p.config.flags = flags; },
-              AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
-                  AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS | AGAA_CONFIG_ACCUMULATE,
-              nullptr});
+    addFlags(suite, {"AgaaConfig.flags/flags", "AgaaConfig::flags",
+                     [](ViewParts& p, uint64_t flags) { p.config.flags = flags; },
+                     AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
+                         AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS |
+                         AGAA_CONFIG_ACCUMULATE | AGAA_CONFIG_HDR_RESOLVE,
+                     nullptr});
 }
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.

@@ -104,6 +104,60 @@ void testView(Test& test) {
     testFrameMember(rig, row);
 }
 
+void addExposure(Suite& suite) {
+    suite.both("AgaaFrame.exposure/range", [](Test& test) {
+        MemberRig rig(test);
+        testFrameMember(rig, {"",
+                              "AgaaFrame::exposure",
+                              "AgaaFrame::exposure",
+                              [](FrameParts& parts, double v) { parts.frame.exposure = float(v); },
+                              {0, 1e-30f, 1, 1e9f},
+                              notNumbers({-1e-20, -1, above(1e9f)})});
+    });
+    const double outside = 1u << 30; // beyond any image
+    addFrameMember(suite, {"AgaaFrame.width/range",
+                           "AgaaFrame::width",
+                           "AgaaFrame::width",
+                           [](FrameParts& parts, double v) {
+                               parts.frame.width = uint32_t(v);
+                               parts.frame.height = 1;
+                           },
+                           {1, 31, 32},
+                           {0, 33, 4294967295.0}});
+    addFrameMember(suite, {"AgaaFrame.height/range",
+                           "AgaaFrame::height",
+                           "AgaaFrame::height",
+                           [](FrameParts& parts, double v) {
+                               parts.frame.width = 1;
+                               parts.frame.height = uint32_t(v);
+                           },
+                           {1, 23, 24},
+                           {0, 25, 4294967295.0}});
+    const auto place = [](uint32_t AgaaFrame::*member, uint32_t size) {
+        return [member, size](FrameParts& parts, double v) {
+            parts.frame.width = parts.frame.height = size;
+            parts.frame.*member = uint32_t(v);
+        };
+    };
+    addFrameMembers(
+        suite, "AgaaFrame.outputX/range",
+        {{"", "AgaaFrame::outputX", "AgaaFrame::outputX", place(&AgaaFrame::outputX, 8), {0, 1, 24}, {outside}},
+         {"", "AgaaFrame::outputX without width", "AgaaFrame::outputX", place(&AgaaFrame::outputX, 0), {0}, {1}}});
+    addFrameMembers(
+        suite, "AgaaFrame.outputY/range",
+        {{"", "AgaaFrame::outputY", "AgaaFrame::outputY", place(&AgaaFrame::outputY, 8), {0, 1, 16}, {outside}},
+         {"", "AgaaFrame::outputY without height", "AgaaFrame::outputX", place(&AgaaFrame::outputY, 0), {0}, {1}}});
+    suite.both("AgaaFrame.reserved/zero", [](Test& test) {
+        MemberRig rig(test);
+        testFrameMember(rig, {"",
+                              "AgaaFrame::reserved",
+                              "AgaaFrame::reserved",
+                              [](FrameParts& parts, double v) { parts.frame.reserved = uint32_t(v); },
+                              {0},
+                              {1, 4294967295.0}});
+    });
+}
+
 void addColors(Suite& suite) {
     suite.both("AgaaFrame.ambient/range", [](Test& test) {
         MemberRig rig(test);
@@ -141,6 +195,7 @@ void addFrameRangeCases(Suite& suite) {
     suite.both("AgaaFrame.projection/range/perspective", testPerspective);
     suite.both("AgaaFrame.view/range", testView);
     addColors(suite);
+    addExposure(suite);
 }
 
 } // namespace agaa::conformance
