@@ -104,6 +104,8 @@ def main(arguments):
     parser = argparse.ArgumentParser(description="Writes the page of a sweep.")
     parser.add_argument("results", type=Path, help="the sweep's results.json")
     parser.add_argument("out", type=Path, help="the page to write")
+    parser.add_argument("--also", action="append", default=[], type=Path, metavar="FILE",
+                        help="results of another backend; its images are beside those of the first; repeatable")
     parser.add_argument("--chart-js", metavar="FILE", help="Chart.js, if not where Debian has it")
     parser.add_argument("--image-mib", type=float, default=48, metavar="MIB",
                         help="most room for images in the page (default: 48)")
@@ -125,8 +127,10 @@ def main(arguments):
             raise ValueError("it holds no JSON object")
         if results.get("schema", 3) not in (2, 3):
             raise ValueError(f"its schema is {results['schema']}; this page shows schemas 2 and 3")
-    except (OSError, ValueError) as error:
-        print(f"Could not read {options.results}: {error}", file=sys.stderr)
+        for path in options.also:
+            results["backends"] += json.loads(path.read_text(encoding="utf-8"))["backends"]
+    except (OSError, KeyError, TypeError, ValueError) as error:
+        print(f"Could not read {', '.join(map(str, [options.results, *options.also]))}: {error}", file=sys.stderr)
         return 1
     try:
         motions = read_motions(options.motion)
