@@ -10,8 +10,8 @@ const STYLES = {
     fxaa: {light: "#b85f92", dark: "#e39cc5", point: "star"},
     single: {light: "#c98a00", dark: "#f3c04b", point: "rectRounded"},
     smaa: {light: "#9c3d77", dark: "#f0a8d4", point: "cross"},
-    taa: {light: "#8c7a00", dark: "#f0e442", point: "dash"},
-    visibility: {light: "#006a8e", dark: "#7cc4e8", point: "line"},
+    taa: {light: "#8c7a00", dark: "#f0e442", point: "rectRounded"},
+    visibility: {light: "#006a8e", dark: "#7cc4e8", point: "circle"},
     adaptive: {light: "#6a4fb3", dark: "#b7a1f0", point: "triangle"},
     dcaa: {light: "#a12c1e", dark: "#ff9d8f", point: "rectRot"},
 };
