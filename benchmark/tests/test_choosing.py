@@ -232,7 +232,7 @@ class Choosing(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "choosing.md"
             kept = [file for of in ("sweep", "adaptive") for file in sorted(ROOT.glob(f"docs/results/*/{of}/results.json"))]
-            self.assertEqual(len(kept), 2)
+            self.assertEqual(len(kept), 3)
             subprocess.run([sys.executable, TOOL, *kept, out], check=True)
             self.assertEqual(out.read_text(), (ROOT / "docs/choosing.md").read_text())
 

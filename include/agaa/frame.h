@@ -282,8 +282,8 @@ typedef struct AgaaFrame {
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,                          \
             {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, (uint32_t)sizeof(AgaaLight),                  \
-            (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL, NULL, 1.0f, 0, 0,        \
-            0, 0, 0                                                                                                    \
+            (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL, NULL, 1.0f, 0, 0, 0, 0,  \
+            0                                                                                                          \
     }
 /* Initialises a frame. It sets lightSize and shadowSize to 0: the host must set them. */
 AGAA_API void AGAA_CALL agaaInitFrame(AgaaFrame* outFrame, size_t structSize);
