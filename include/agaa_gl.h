@@ -278,8 +278,9 @@ typedef struct AgaaGlFrame {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext; /* null */
-    /* The output: level 0 of a TEXTURE_2D with the size of the view, in a format that supports image stores; RGBA16F is
-     * recommended. The shading segment needs it. Row 0 is where the projection places y = -1. */
+    /* The output: level 0 of a TEXTURE_2D with the size of the view, or one that holds the frame at AgaaFrame::outputX
+     * and outputY if the frame names its width, in a format that supports image stores; RGBA16F is recommended. The
+     * shading segment needs it. Row 0 is where the projection places y = -1. */
     uint32_t outputTexture;
     /* One TEXTURE_2D_ARRAY with depth per AgaaFrame::shadows that no AgaaShadowFunction answers for. Other elements
      * are not read; a frame without shadows needs none. */
@@ -296,9 +297,9 @@ AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize
  *                                         exist or is of another target, a shadow map has no depth, or the view is a
  *                                         Vulkan view
  *           AGAA_ERROR_STRUCT             a struct is not initialised
- *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, the output has another size than the view,
- *                                         or the camera, ditherFrame or the facts differ from those of the first
- *                                         segment
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, the output has another size than the view
+ *                                         or does not hold the frame, or the camera, ditherFrame, the size or the
+ *                                         facts differ from those of the first segment
  *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, a
  *                                         segment is missing or repeated, or transform feedback is active and not
  *                                         paused

@@ -251,7 +251,8 @@ typedef struct AgaaVkFrame {
     uint32_t structSize;
     const void* pNext;   /* null */
     void* commandBuffer; /* primary, recording, outside rendering and conditional rendering */
-    /* The output: a 2D image with one layer and the size of the view, with usage STORAGE (and SAMPLED with
+    /* The output: a 2D image with one layer and the size of the view, or one that holds the frame at
+     * AgaaFrame::outputX and outputY if the frame names its width, with usage STORAGE (and SAMPLED with
      * AGAA_VIEW_COMPOSITE), in a float format whose storage view can be written without a format. The shading
      * segment needs it. */
     uint64_t outputImage;
@@ -276,8 +277,8 @@ AGAA_API void AGAA_CALL agaaInitVkFrame(AgaaVkFrame* outFrame, size_t structSize
  * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer or a handle that the frame needs is null, or the view is an
  *                                         OpenGL view
  *           AGAA_ERROR_STRUCT             a struct is not initialised
- *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera, ditherFrame or the facts
- *                                         differ from those of the first segment
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera, ditherFrame, the size or the
+ *                                         facts differ from those of the first segment
  *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase,
  *                                         or a segment is missing or repeated
  *           AGAA_ERROR_CALLBACK           AGAA_VK_RECORDING_SECONDARY: a draw callback failed; nothing is recorded

@@ -177,8 +177,9 @@ typedef enum AgaaTier {
 
 /* Weight the light of each shading event of a pixel by 1 / (1 + exposure * luminance) (Karis 2013), so that edges
  * between surfaces of very different brightness stay smooth after tone mapping. The output stays linear: it is the
- * weighted mean. The background counts as an event. Events brighter than 65536 / exposure are scaled down to it.
- * AgaaFrame::exposure. Debug views and techniques with one sample are not changed by it. */
+ * weighted mean. The background counts as an event. AgaaFrame::exposure is the exposure. A luminance above
+ * 65536 / exposure is scaled down to it, also where a pixel shows nothing else. Debug views and techniques with one
+ * sample do not change. Hosts that shade aggregates themselves weigh them themselves. */
 #define AGAA_CONFIG_HDR_RESOLVE UINT64_C(0x100)
 
 /* Compare each material with AgaaSceneFacts (agaaGetFactReport). Implies AGAA_CONFIG_COUNTERS. */

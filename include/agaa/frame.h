@@ -84,7 +84,7 @@ typedef struct AgaaDrawPass {
     uint32_t stage;          /* AgaaStage */
     const char* name;        /* owned by the view */
     uint64_t pipelineKey;    /* differs between passes that need different shaders or pipelines */
-    uint32_t width, height;  /* texels of the target: pixels times the scale */
+    uint32_t width, height;  /* texels of the target: pixels of the view times the scale. Frames may draw fewer */
     uint32_t scaleX, scaleY; /* texels per pixel */
     AgaaDrawState state;
     const char* glslExtensions;   /* owned by the view */
@@ -274,7 +274,8 @@ typedef struct AgaaFrame {
     uint32_t width, height;
     /* The pixel of the output that receives the frame's pixel (0, 0), so that several views may share an output. The
      * output holds the frame; pixels outside it keep their contents, with a Vulkan outputLayoutIn that preserves them.
-     * Not 0 only with width and height. Read with AGAA_SEGMENT_SHADING. */
+     * Not 0 only with width and height. Checked in all segments, used with AGAA_SEGMENT_SHADING. Functions of the host
+     * and reports count pixels from the frame's corner. */
     uint32_t outputX, outputY;
     uint32_t reserved; /* 0 */
 } AgaaFrame;

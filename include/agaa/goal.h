@@ -128,7 +128,8 @@ AGAA_API void AGAA_CALL agaaInitObservation(AgaaObservation* outObservation, siz
 
 /* Reads an observation from the statistics of a frame.
  *
- * view             The description of the view that rendered the frame.
+ * view             The description of the view that rendered the frame; its width and height are those of the frame
+ *                  (AgaaFrame::width).
  * caps             Capabilities of the context. Null: an ideal device.
  * log              May be null.
  * statistics       Statistics of the frame (agaaGetFrameStatistics). Counts are known if the view has

@@ -260,7 +260,8 @@ AGAA_API AgaaResult AGAA_CALL agaaGetSurface(AgaaView view, const char* name, Ag
 /* Writes the GLSL (430) with which a compute shader of the host reads the aggregates in the surface "aggregates",
  * after AGAA_SEGMENT_GENERATION: struct AgaaAggregate and `AgaaAggregate agaaAggregate(uvec2 pixel, uint a)`, where
  * a is below AGAA_AGGREGATES (docs/shader-interface.md). Before the text, the host defines AGAA_AGGREGATE_WORD(i):
- * word i of the surface as a uint.
+ * word i of the surface as a uint. For frames that name their width, it also defines AGAA_IMAGE_WIDTH: that width, an
+ * expression of type uint such as a uniform.
  *
  * caps     Capabilities of the context. Null: an ideal device.
  * log      May be null.

@@ -27,7 +27,7 @@ typedef struct AgaaTemporal {
     /* The name of an attribute AGAA_SEMANTIC_CUSTOM of the layout, with 2 channels of 16 bits and range 1: the motion
      * vector of moving surfaces. Null, or both channels 0: the surface stands still in the world. Otherwise each
      * channel is (32768 + 32767 m) / 65535, where m is the displacement from this frame to the previous one, along x
-     * and y of clip space, without jitter, in widths and heights of the view; it is clamped to one width or height.
+     * and y of clip space, without jitter, in widths and heights of the frame; it is clamped to one width or height.
      * Requires a technique or tier that shades a G-buffer: others fail with AGAA_ERROR_UNSUPPORTED. The name of no
      * attribute, or of another one, fails with AGAA_ERROR_LAYOUT. Read during the call only. */
     const char* motion;

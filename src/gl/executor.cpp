@@ -323,8 +323,10 @@ AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
     HostState state(context); // if it throws, no pass has run
     try {
         uploadFrame(frame, slot);
-        if (sequence.changesSize(frame))
+        if (sequence.changesSize(frame)) {
+            context.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // stores of a frame that failed
             resources->clearPersistent(plan);
+        }
         runPasses(frame, glFrame, variant, slot, state);
         state.finish();
     } catch (...) {

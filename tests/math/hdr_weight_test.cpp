@@ -51,6 +51,21 @@ TEST(HdrWeight, MeansAgreeWithDouble) {
     }
 }
 
+// Equal events add their rounding in one direction, and the difference that finds the sum of weights magnifies it.
+TEST(HdrWeight, EqualEventsReturn) {
+    Random random(23);
+    Worst ordinary("equal events up to 100 times white, relative", 1.2e-4);
+    Worst bright("equal events up to 65504 times white, relative", 8e-2);
+    for (int i = 0; i < 50000; ++i) {
+        const double exposure = random.decades(1e-6, 1e3);
+        for (const size_t count : {size_t(1), size_t(8), size_t(32), size_t(64)}) {
+            const double dim = random.decades(1e-6, 100) / exposure, any = random.decades(1, 65504) / exposure;
+            ordinary.relative(double(resolved(std::vector<Light>(count, {dim, dim, dim}), exposure).x), dim);
+            bright.relative(double(resolved(std::vector<Light>(count, {any, any, any}), exposure).x), any);
+        }
+    }
+}
+
 TEST(HdrWeight, WithoutExposureTheMeanIsLinear) {
     Random random(22);
     Worst worst("linear mean, relative", 2e-6);

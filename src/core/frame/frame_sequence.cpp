@@ -106,6 +106,7 @@ void FrameSequence::failed(const AgaaFrame& frame) {
 
 void FrameSequence::abortedAfterExecution(const AgaaFrame& frame) {
     hasGap_ = true;
+    extent_ = sizeOf(frame);
     slots_[slotOf(frame)].complete = false;
     segments_ = AGAA_SEGMENT_ALL;
 }

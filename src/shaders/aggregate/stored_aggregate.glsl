@@ -66,6 +66,6 @@ agaa_Stored agaa_storedMeans() {
 }
 
 void agaa_selectAggregate(uvec2 pixel, uint a) {
-    agaa_base = ((pixel.y * AGAA_IMAGE_WIDTH + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
+    agaa_base = ((pixel.y * (AGAA_IMAGE_WIDTH) + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
 }
 #endif

@@ -2,7 +2,8 @@
 // exposure, because tone mapping after a linear mean turns edges of high contrast back into steps (Karis 2013).
 //
 // The sum of weights needs no place of its own: with m the mean of weighted light, it is 1 - e L(m). That difference
-// keeps digits only while the events are not much brighter than white, so brighter ones are scaled down.
+// loses digits where all events are far brighter than white (.01 % at 100 times white, 7 % at 65504 times), so that
+// still brighter ones are scaled down.
 #ifndef AGAA_MATH_HDR_WEIGHT_GLSL
 #define AGAA_MATH_HDR_WEIGHT_GLSL
 #include "real.glsl"
