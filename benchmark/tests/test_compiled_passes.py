@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Tests that compiled passes meet the bounds of benchmark/compiled_bounds.py, by compiling them for AMD GPUs.
 
-AGAA_COMPILED=all compiles all configurations for all chips, otherwise COVERING for the first. The program exits with 77 where RADV cannot compile.
+AGAA_COMPILED=all compiles all configurations for all chips, otherwise COVERING for the first. The program exits with 77
+where RADV cannot compile.
 """
 import fnmatch
 import os

@@ -94,7 +94,7 @@ TYPED_TEST_P(HdrResolveCases, EventsHaveTheirWeights) {
                 }
             }
             EXPECT_GE(mixed, 40u);
-            EXPECT_LT(worst, 2e-3) << "exposure " << exposure << ": " << where.str();
+            EXPECT_LT(worst, 1e-5) << "exposure " << exposure << ": " << where.str();
         }
     }
 }

@@ -69,8 +69,8 @@ Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t 
     // A dither pattern that all frames share would remain in the image. A pattern that references share would remain in
     // their difference.
     const uint32_t firstDither = settings.ditherFrame * spp + 1;
-    const Accumulator none(settings.config.flags & AGAA_CONFIG_HDR_RESOLVE ? double(settings.exposure) : 0.0);
-    Accumulator halves[] = {none, none};
+    const Accumulator empty(settings.config.flags & AGAA_CONFIG_HDR_RESOLVE ? double(settings.exposure) : 0.0);
+    Accumulator halves[] = {empty, empty};
     Reference reference;
     for (uint32_t i = 0; i < spp; ++i) {
         settings.jitter = centre + pixelOffset(i);
