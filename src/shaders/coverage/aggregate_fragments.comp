@@ -15,6 +15,7 @@
 #else
 #define AGAA_MAX_SAMPLES 33 // 32 clustered fragments and the current one
 #endif
+#define AGAA_ORDERS_PIXELS
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
@@ -35,6 +36,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "coverage/clustered_fragments.glsl"
 #include "coverage/listed_tiles.glsl"
 #include "coverage/list_box.glsl"
+#include "coverage/pixel_order.glsl"
 #if AGAA_SAMPLE_LANES
 #include "coverage/lane_fragments.glsl"
 #else
@@ -221,9 +223,11 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 void main() {
     agaa_countBegin();
     agaa_countDraw();
+    bool isListed = agaa_isTileListed(); // equal for all lanes
+    agaa_orderPixels(isListed);
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool inside = all(lessThan(pixel, agaa_frame.size));
-    if (!agaa_isTileListed()) { // equal for all lanes
+    if (!isListed) {
         if (inside)
             agaa_awaitDraw(pixel);
         agaa_countEnd();

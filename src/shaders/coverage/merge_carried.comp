@@ -2,6 +2,7 @@
 // 3.3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define AGAA_ORDERS_PIXELS
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"

@@ -1,6 +1,7 @@
 // Merges the fragments of each pixel into surfaces in memory. Materials are fetched by id (DCAA sections 3.2 and 3.3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define AGAA_ORDERS_PIXELS
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"

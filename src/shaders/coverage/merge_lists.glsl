@@ -1,7 +1,8 @@
 // Merges the fragments of each pixel, from front to back, into surfaces in memory. The includer defines
 // bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material,
 // out agaa_NormalSpread spread), which returns false for fragments at the far plane, and agaa_listedRange()
-// (coverage/hidden_fragments.glsl). Needs AGAA_BINDING_SURFACES, common/counters.glsl and coverage/list_order.glsl.
+// (coverage/hidden_fragments.glsl). Needs AGAA_BINDING_SURFACES, common/counters.glsl,
+// coverage/list_order.glsl and what coverage/pixel_order.glsl needs.
 #if !defined(AGAA_BINDING_SURFACES) || !defined(AGAA_COUNTERS_GLSL) || !defined(AGAA_LIST_ORDER_GLSL)
 #error "merge_lists.glsl needs AGAA_BINDING_SURFACES, counters.glsl and list_order.glsl."
 #endif
@@ -13,6 +14,7 @@ void agaa_setSurfaces(uint word, uint value) { agaa_surfaces.words[word] = value
 #include "coverage/merged_surfaces.glsl"
 #include "coverage/listed_tiles.glsl"
 #include "coverage/hidden_fragments.glsl"
+#include "coverage/pixel_order.glsl"
 
 // Returns the first fragment of the pixel's sorted list of those that are merged. In the order of draws
 // (AGAA_COVERAGE_DRAW_ORDER) these are all fragments, as in the paper.
@@ -49,9 +51,10 @@ void agaa_mergePixel(uvec2 pixel) {
 void main() {
     agaa_countBegin();
     agaa_countDraw();
+    bool isListed = agaa_isTileListed();
+    agaa_orderPixels(isListed);
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool isInside = all(lessThan(pixel, agaa_frame.size));
-    bool isListed = agaa_isTileListed();
     if (isInside && isListed)
         agaa_mergePixel(pixel);
     else if (isInside)

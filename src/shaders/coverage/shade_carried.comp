@@ -6,6 +6,7 @@
 #define AGAA_SAMPLE_WORDS AGAA_VISIBILITY_WORDS
 #define AGAA_GROUPING_WORDS 0u
 #define AGAA_FINDS_LIGHTS
+#define AGAA_ORDERS_PIXELS
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"

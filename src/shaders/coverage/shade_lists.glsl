@@ -7,6 +7,7 @@
 #include "common/event_light.glsl"
 #include "coverage/listed_tiles.glsl"
 #include "coverage/list_box.glsl"
+#include "coverage/pixel_order.glsl"
 
 // Returns radiance, or agaa_shownOfEvent(), times the number of samples.
 vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
@@ -57,9 +58,10 @@ void agaa_shadePixel(uvec2 pixel, uint head) {
 void main() {
     agaa_countBegin();
     agaa_countDraw();
+    bool isListed = agaa_isTileListed();
+    agaa_orderPixels(isListed);
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool isInside = all(lessThan(pixel, agaa_frame.size));
-    bool isListed = agaa_isTileListed();
     uint head = 0u;
     agaa_beginTileLights();
     if (isInside && isListed) {
