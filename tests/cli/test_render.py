@@ -70,6 +70,7 @@ class Render(unittest.TestCase):
         self.render("--technique", "ssaa", "--exr", switched, "--switch-facts", "--frames", "5", size="48x27")
         self.assertGreater(harness.data("compare", plain, switched)["maxAbs"], 0)
 
+    @on("vk")
     def test_facts_are_checked(self):
         for scene in ("metal", "bamboo"):
             data = self.render("--technique", "ssaa", "--check-facts", size="48x27", scene=scene)
@@ -121,6 +122,7 @@ class Render(unittest.TestCase):
                 self.assertEqual(chosen["counters"]["visible"], full["counters"]["visible"])
                 self.assertEqual(chosen["apiMessages"], [])
 
+    @on("vk")
     def test_adaptive_options(self):
         adaptive = ["--technique", "adaptive", "--samples", "9"]
         def events(*options, image=None, scene="foliage"):
@@ -170,6 +172,7 @@ class Render(unittest.TestCase):
                     self.assertLessEqual(counters["maxEventsPerPixel"], bounds["maxEventsPerPixel"])
                     self.assertLessEqual(events, counters["shadedPixels"] * bounds["maxEventsPerPixel"])
 
+    @on("vk")
     def test_fragments_that_carry_materials(self):
         images = []
         for tier in ("lists", "material-lists"):
@@ -218,6 +221,7 @@ class Render(unittest.TestCase):
                     self.assertIn(p["stage"], ("prepass", "definition", "generation", "shading",
                                                "shadowmap", "post", "other"))
 
+    @on("vk")
     def test_files_and_repeatable_bits(self):
         for name in ("a", "b"):
             self.render("--exr", self.path(name + ".exr"), "--png", self.path(name + ".png"))
@@ -240,6 +244,7 @@ class Render(unittest.TestCase):
             self.assertEqual(data["geometryPasses"], 1 if tier else 2)
             self.assertEqual(data["apiMessages"], [])
 
+    @on("vk")
     def test_samples_are_those_that_were_rendered(self):
         for technique, samples, aggregates in self.shared((("fxaa", 1, 0), ("ssaa", 8, 0), ("sbaa", 8, 2))):
             data = self.render("--technique", technique, size="48x27")
@@ -297,6 +302,7 @@ class Render(unittest.TestCase):
 
     # Mesa 22.3's lavapipe never frees the copy of a shader that it makes at each draw whose uniforms decide a branch. With
     # such a branch on the cutoff of each mask a sweep of this scene filled 24 GB.
+    @on("vk")
     def test_masks_make_no_copies_of_shaders(self):
         if self.backend != "vk":
             self.skipTest("of lavapipe")
