@@ -54,6 +54,7 @@ void main() {
     bool isListed = agaa_isTileListed();
     agaa_orderPixels(isListed);
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    barrier(); // surfaces may take the memory of the order
     bool isInside = all(lessThan(pixel, agaa_frame.size));
     if (isInside && isListed)
         agaa_mergePixel(pixel);

@@ -1,6 +1,7 @@
 // Shades each fragment of a pixel that shows at a sample, without merging. The includer defines agaa_Surface
 // agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle), which returns the material for the samples of the
-// mask, whose centroid is `middle`. Needs AGAA_FINDS_LIGHTS, common/output.glsl and coverage/list_visibility.glsl.
+// mask, whose centroid is `middle`. Needs AGAA_FINDS_LIGHTS, common/output.glsl,
+// coverage/list_visibility.glsl and what coverage/pixel_order.glsl needs.
 #if !defined(AGAA_FINDS_LIGHTS) || !defined(AGAA_OUTPUT_GLSL) || !defined(AGAA_LIST_VISIBILITY_GLSL)
 #error "shade_lists.glsl needs AGAA_FINDS_LIGHTS, output.glsl and list_visibility.glsl."
 #endif
