@@ -23,6 +23,7 @@ def on(backend):
         def run(self):
             if self.backend != backend and "AGAA_ALL_SETTINGS" not in os.environ:
                 self.skipTest(f"{backend} covers it; scripts/test --exhaustive runs it on both")
+            self.is_alone = True
             test(self)
         return run
     return decorate
@@ -38,11 +39,13 @@ class Render(unittest.TestCase):
 
     backend = "vk"
     share = 0  # of every two settings of a product, the one that this graphics API renders
+    is_alone = False  # the other graphics API does not run the test
 
     def shared(self, settings):
-        """The settings that this graphics API renders: every second one, or all with AGAA_ALL_SETTINGS."""
+        """The settings that this graphics API renders: every second one, or all if the other one renders none, and with
+        AGAA_ALL_SETTINGS."""
         settings = list(settings)
-        return settings if "AGAA_ALL_SETTINGS" in os.environ else settings[self.share::2]
+        return settings if self.is_alone or "AGAA_ALL_SETTINGS" in os.environ else settings[self.share::2]
 
     def render(self, *arguments, size="96x54", scene="metal", timed=False):
         """timed: adds the times of passes, which another view measures."""
