@@ -277,9 +277,25 @@ TYPED_TEST_P(ValidationTest, NothingDrawnIsInvalid) {
     expectExplanation(v, "Nothing is visible");
 }
 
+TYPED_TEST_P(ValidationTest, ADrawPassWithoutFragmentsIsNamed) {
+    for (const TwoPasses& passes : allTwoPasses) {
+        const bool isForward = std::string(passes.technique) == "msaa";
+        SCOPED_TRACE(passes.technique);
+        const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings(passes, {.materialSkips = ofAll}));
+        expectInvalid(v, visibleSamples, visibleSamples, 0);
+        expectExplanation(v, isForward ? "\"forward\" wrote none" : "\"generate aggregates\" wrote none");
+        expectExplanation(v, "layout(binding)");
+        const AgaaFrameValidation none =
+            validationOf<TypeParam>(validatedSettings(passes, {.prepassSkips = ofAll, .materialSkips = ofAll}));
+        expectExplanation(none, "\"prepass\" produced no fragment");
+        expectExplanation(none, "layout(binding)");
+    }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(ValidationTest, ARightFrameIsValid, AnObjectLeftOutIsMissed, AnObjectTooManyIsMulti,
                             DifferentObjectsAreBoth, AnotherPositionIsMissed, AnotherMaskIsMissed,
                             WithoutTheStencilTestDuplicatesAreTies, AnotherCameraMisplaces,
-                            HardCase64PositionsThatAreNotFiniteAreMisplaced, NothingDrawnIsInvalid);
+                            HardCase64PositionsThatAreNotFiniteAreMisplaced, NothingDrawnIsInvalid,
+                            ADrawPassWithoutFragmentsIsNamed);
 
 } // namespace agaa::test

@@ -11,16 +11,42 @@ namespace agaa {
 // Some fragments of slivers lie outside their primitives. A wrong camera displaces nearly all fragments.
 static bool isMisplaced(const AgaaFrameValidation& v) { return v.misplaced > v.visible / 100; }
 
+// The cause on OpenGL that the image does not show: the draws are not executed at all.
+static constexpr const char* failedDraws =
+    "on OpenGL its draws failed (glGetError; an engine that sets every sampler and image uniform overrides "
+    "layout(binding))";
+
+static bool isDraw(const Pass& pass) { return pass.kind() == PassKind::HostDraw; }
+
+// Returns the name of the draw pass that decides what is visible.
+static const char* nameOfVisiblePass(const Plan& plan) {
+    const auto listsFragments = [](const Pass& pass) {
+        return isDraw(pass) && pass.draw().id == AGAA_DRAW_PASS_FRAGMENTS;
+    };
+    auto found = std::ranges::find_if(plan.passes, listsFragments);
+    if (found == plan.passes.end())
+        found = std::ranges::find_if(plan.passes, isDraw);
+    return found == plan.passes.end() ? "" : found->name.c_str();
+}
+
+// Returns the name of the draw pass that writes what another one shows.
+static const char* nameOfLastDrawPass(const Plan& plan) {
+    const auto found = std::find_if(plan.passes.rbegin(), plan.passes.rend(), isDraw);
+    return found == plan.passes.rend() ? "" : found->name.c_str();
+}
+
 // Returns the most basic mistake that was found and its usual causes.
-static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses) {
+static std::string explain(const AgaaFrameValidation& v, const Plan& plan) {
+    const uint32_t geometryPasses = plan.geometryPasses();
     if (v.visible == 0 && geometryPasses == 0)
         return "Nothing is visible: the host's functions, agaaHostSample or agaaHostDraw and agaaHostTriangle, provide "
                "no geometry in the view. Usual causes: their resources are not those of the frame, or were not "
                "readable by compute yet.";
     if (v.visible == 0)
-        return "Nothing is visible: the first geometry pass drew nothing into the target. Usual causes: framebuffer, "
-               "viewport or projection are not those of the pass, the depth test is not that of "
-               "AgaaDrawState, or AGAA_VIEW_REVERSED_Z does not fit the projection.";
+        return format("Nothing is visible: the draw pass \"%s\" produced no fragment in the target. Usual causes: "
+                      "framebuffer, viewport or projection are not those of the pass, the depth test is not that of "
+                      "AgaaDrawState, AGAA_VIEW_REVERSED_Z does not fit the projection, or %s.",
+                      nameOfVisiblePass(plan), failedDraws);
     if (isMisplaced(v))
         return "Fragments do not lie where AgaaFrame's camera puts AgaaSurfaceInput::position. Usual causes: "
                "AgaaFrame::projection is not the rasteriser's (direction of y, clip correction, "
@@ -36,6 +62,11 @@ static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses
         return "Samples were missed and others written where they are not visible. Usual causes: the passes "
                "do not compute the same position (one expression and `invariant gl_Position` in both), or "
                "draw different objects, instances or animation states.";
+    if (v.uncovered == v.visible)
+        return format("The draw pass \"%s\" wrote none of the visible samples. Usual causes: positions differ in the "
+                      "last bit (`invariant gl_Position`, one expression in both passes), the depth test is not EQUAL, "
+                      "cull modes differ, the material is discarded, or %s.",
+                      nameOfLastDrawPass(plan), failedDraws);
     if (v.uncovered)
         return "Samples that the prepass shows were never written. Usual causes: an object is left out of "
                "the material pass, positions differ in the last bit (`invariant gl_Position`, one expression "
@@ -81,7 +112,7 @@ AgaaResult frameValidation(const ViewState& view, uint64_t completedFrame, AgaaF
         if (i < out.pixelCount)
             std::memcpy(&out.pixels[i], buffer.pixels[i], sizeof buffer.pixels[i]);
     }
-    std::strncpy(out.explanation, explain(out, plan.geometryPasses()), sizeof out.explanation - 1);
+    std::strncpy(out.explanation, explain(out, plan).c_str(), sizeof out.explanation - 1);
     out.explanation[sizeof out.explanation - 1] = 0;
     return AGAA_OK;
 }
