@@ -305,7 +305,6 @@ class Render(unittest.TestCase):
 
     # Mesa 22.3's lavapipe never frees the copy of a shader that it makes at each draw whose uniforms decide a branch. With
     # such a branch on the cutoff of each mask a sweep of this scene filled 24 GB.
-    @on("vk")
     def test_masks_make_no_copies_of_shaders(self):
         if self.backend != "vk":
             self.skipTest("of lavapipe")
