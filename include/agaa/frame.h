@@ -117,6 +117,51 @@ AGAA_API void AGAA_CALL agaaInitDrawPass(AgaaDrawPass* outPass, size_t structSiz
  * Threads  One call at a time per context. */
 AGAA_API AgaaResult AGAA_CALL agaaGetDrawPasses(AgaaView view, uint32_t* count, AgaaDrawPass* passes);
 
+typedef enum AgaaGlslResourceKind {
+    AGAA_GLSL_RESOURCE_UNIFORM = 1, /* plain uniform, without a binding */
+    AGAA_GLSL_RESOURCE_SAMPLER = 2,
+    AGAA_GLSL_RESOURCE_IMAGE = 3,
+    AGAA_GLSL_RESOURCE_UNIFORM_BLOCK = 4,
+    AGAA_GLSL_RESOURCE_STORAGE_BLOCK = 5,
+    AGAA_GLSL_RESOURCE_INPUT_ATTACHMENT = 6,
+    AGAA_GLSL_RESOURCE_KIND_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlslResourceKind;
+
+typedef enum AgaaGlslStageBits {
+    AGAA_GLSL_STAGE_FRAGMENT = 1, /* AgaaDrawPass::glslDeclarations */
+    AGAA_GLSL_STAGE_GEOMETRY = 2, /* AgaaDrawPass::glslGeometry */
+    AGAA_GLSL_STAGE_VERTEX = 4,   /* AgaaDrawPass::glslVertex */
+    AGAA_GLSL_STAGE_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlslStageBits;
+
+/* A resource that the GLSL of a draw pass declares. Compilers remove those that the host's code does not reach. */
+typedef struct AgaaGlslResource {
+    char name[64];     /* of the uniform, or of the block; begins with agaa_ */
+    uint32_t kind;     /* AgaaGlslResourceKind */
+    uint32_t stages;   /* AgaaGlslStageBits of the texts that declare it */
+    uint32_t set;      /* descriptor set on Vulkan; 0 on OpenGL */
+    uint32_t binding;  /* in the set; on OpenGL the texture unit, the image unit or the binding point of the block;
+                          0 for plain uniforms, which have locations */
+    uint32_t count;    /* elements of an array; 1 otherwise */
+    uint32_t reserved; /* 0 */
+} AgaaGlslResource;
+
+/* Lists the resources that the GLSL of a draw pass declares, for engines that set or describe every uniform of their
+ * shaders. The first call for a pass preprocesses its texts, which takes milliseconds.
+ *
+ * pass       Index of the draw pass in agaaGetDrawPasses.
+ * count      Receives the number of resources; unchanged on failure. On entry it holds the length of the array, unless
+ *            resources is null.
+ * resources  Null, or an array that receives the resources; unchanged on failure.
+ *
+ * Errors     AGAA_ERROR_INVALID_ARGUMENT   the view or count is null, or the text of the host in the pass does not
+ *                                          preprocess
+ *            AGAA_ERROR_OUT_OF_RANGE       the view has no such draw pass
+ *            AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short
+ * Threads    One call at a time per context. */
+AGAA_API AgaaResult AGAA_CALL agaaGetGlslResources(AgaaView view, uint32_t pass, uint32_t* count,
+                                                   AgaaGlslResource* resources);
+
 /* The target of one call of the draw callback. The SDK fills it; structSize is the size in the library. */
 typedef struct AgaaDrawTarget {
     uint32_t sType;

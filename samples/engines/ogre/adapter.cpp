@@ -58,25 +58,6 @@ void applyOpenGlState(const AgaaDrawState& state) {
     glDisable(GL_DITHER);
 }
 
-/* OGRE sets every sampler and image uniform, to 0 if the material does not name it, in place of the binding that the
- * shader declares. A program without OGRE has the declared bindings, which become constants of the material. */
-void setBindings(Ogre::GpuProgramParameters& parameters, const Ogre::String& text) {
-    const char* source = text.c_str();
-    const GLuint program = glCreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &source);
-    GLint count = 0, size = 0, binding = 0;
-    GLenum type = 0;
-    char name[128];
-    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
-    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
-        glGetActiveUniform(program, i, sizeof name, nullptr, &size, &type, name);
-        if (Ogre::String(name).rfind("agaa_", 0) == 0) {
-            glGetUniformiv(program, glGetUniformLocation(program, name), &binding);
-            parameters.setNamedConstant(name, binding);
-        }
-    }
-    glDeleteProgram(program);
-}
-
 } // namespace
 
 /* ---- context and views ---------------------------------------------------------------------------- */
@@ -184,6 +165,19 @@ Ogre::Technique* Adapter::techniqueFor(const Ogre::Material& material, const Aga
     return &technique;
 }
 
+/* OGRE sets every sampler and image uniform, to 0 if the material does not name it, in place of the binding that the
+ * shader declares. So these bindings become constants of the material. */
+void Adapter::setBindings(Ogre::GpuProgramParameters& parameters, const AgaaDrawPass& pass) {
+    const uint32_t index = static_cast<uint32_t>(&pass - m_passes.data());
+    uint32_t count = 0;
+    check(agaaGetGlslResources(m_view, index, &count, nullptr), "agaaGetGlslResources");
+    std::vector<AgaaGlslResource> resources(count);
+    check(agaaGetGlslResources(m_view, index, &count, resources.data()), "agaaGetGlslResources");
+    for (const AgaaGlslResource& resource : resources)
+        if (parameters._findNamedConstantDefinition(resource.name)) // null if the compiler removed the resource
+            parameters.setNamedConstant(resource.name, static_cast<int>(resource.binding));
+}
+
 /* Gives the fragment program and the state of a draw pass to a material. The program consists of the version, the SDK's
  * extensions and declarations, and the engine's text. */
 void Adapter::convert(Ogre::Pass& material, const AgaaDrawPass& pass) {
@@ -200,7 +194,7 @@ void Adapter::convert(Ogre::Pass& material, const AgaaDrawPass& pass) {
     const Ogre::GpuProgramParametersSharedPtr values = material.getFragmentProgramParameters();
     material.setFragmentProgram(name);
     material.getFragmentProgramParameters()->copyMatchingNamedConstantsFrom(*values);
-    setBindings(*material.getFragmentProgramParameters(), source);
+    setBindings(*material.getFragmentProgramParameters(), pass);
     applyState(pass.state, material);
 }
 

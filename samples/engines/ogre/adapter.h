@@ -63,6 +63,7 @@ private:
     void check(AgaaResult result, const char* call) const;
     Ogre::Technique* techniqueFor(const Ogre::Material& material, const AgaaDrawPass& pass);
     void convert(Ogre::Pass& material, const AgaaDrawPass& pass);
+    void setBindings(Ogre::GpuProgramParameters& parameters, const AgaaDrawPass& pass);
     AgaaFrame describeFrame(Ogre::Camera& camera, const Ogre::ColourValue& background);
     void draw(const AgaaDrawTarget& target);
 

@@ -258,6 +258,13 @@ AgaaResult AGAA_CALL agaaGetDrawPasses(AgaaView view, uint32_t* count, AgaaDrawP
     });
 }
 
+AgaaResult AGAA_CALL agaaGetGlslResources(AgaaView view, uint32_t pass, uint32_t* count, AgaaGlslResource* resources) {
+    return guarded(logOf(view), "agaaGetGlslResources", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        return writeGlslResources(*view->current, pass, count, resources);
+    });
+}
+
 AgaaResult AGAA_CALL agaaGetSurface(AgaaView view, const char* name, AgaaSurface* outSurface) {
     return guarded(logOf(view), "agaaGetSurface", [&]() -> AgaaResult {
         require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");

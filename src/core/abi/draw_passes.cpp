@@ -2,6 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/base/structs.h"
+#include "core/glsl/glsl_resources.h"
+
+#include <algorithm>
 
 namespace agaa {
 
@@ -33,6 +36,26 @@ AgaaResult writeDrawPasses(const ViewState& view, uint32_t* count, AgaaDrawPass*
                 view.describePass(i, native);
             writeStruct(element, out);
         }
+    }
+    *count = available;
+    return AGAA_OK;
+}
+
+AgaaResult writeGlslResources(ViewState& view, uint32_t pass, uint32_t* count, AgaaGlslResource* resources) {
+    require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
+    if (pass >= view.plan.geometryPasses())
+        fail(AGAA_ERROR_OUT_OF_RANGE,
+             format("the view has %u draw passes, and none with the index %u.", view.plan.geometryPasses(), pass));
+    size_t index = 0;
+    for (uint32_t draws = 0; view.plan.passes[index].kind() != PassKind::HostDraw || draws++ != pass;)
+        ++index;
+    HostPass& hostPass = view.hostPasses[index];
+    if (!hostPass.resources)
+        hostPass.resources = glslResources(hostPass);
+    const uint32_t available = uint32_t(hostPass.resources->size());
+    if (resources) {
+        require(*count >= available, AGAA_ERROR_BUFFER_TOO_SMALL, "the array is too small for the resources.");
+        std::copy(hostPass.resources->begin(), hostPass.resources->end(), resources);
     }
     *count = available;
     return AGAA_OK;

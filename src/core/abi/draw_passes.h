@@ -7,5 +7,6 @@ namespace agaa {
 
 // Writes all draw passes by the two-call convention.
 AgaaResult writeDrawPasses(const ViewState& view, uint32_t* count, AgaaDrawPass* passes);
+AgaaResult writeGlslResources(ViewState& view, uint32_t pass, uint32_t* count, AgaaGlslResource* resources);
 
 } // namespace agaa

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct HostPass {
     std::string vertex;                  // GLSL; empty unless the pass pulls vertices
     std::vector<ColorAttachment> colors; // in the order of attachments
     Format depthFormat = Format::None;   // None if there is no depth attachment
+    // The resources that the texts declare. The first agaaGetGlslResources() sets them.
+    std::optional<std::vector<AgaaGlslResource>> resources;
 };
 
 std::vector<ColorAttachment> colorAttachments(const Plan& plan, const Pass& pass);

@@ -27,18 +27,37 @@ std::string firstLine(const char* log) {
 GlslCompilerUse::GlslCompilerUse() { glslang::InitializeProcess(); }
 GlslCompilerUse::~GlslCompilerUse() { glslang::FinalizeProcess(); }
 
+// Compilations at run time need the tables of the same rules, so that these are made once.
+static constexpr auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
+
+static void setVulkan(glslang::TShader& shader, EShLanguage stage) {
+    shader.setEnvInput(glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+}
+
+std::string preprocess(const std::string& text) {
+    const GlslCompilerUse use;
+    glslang::TShader shader(EShLangCompute);
+    const char* source = text.c_str();
+    shader.setStrings(&source, 1);
+    setVulkan(shader, EShLangCompute);
+    std::string out;
+    glslang::TShader::ForbidIncluder includer;
+    if (!shader.preprocess(GetDefaultResources(), 450, ENoProfile, false, false, messages, &out, includer))
+        fail(AGAA_ERROR_INVALID_ARGUMENT, "GLSL does not preprocess: " + firstLine(shader.getInfoLog()) + ".");
+    return out;
+}
+
 std::vector<uint32_t> compileCompute(const std::string& text, const char* what) {
     const GlslCompilerUse use;
-    constexpr auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
     const auto refuse = [&](const char* log) {
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s does not compile: %s.", what, firstLine(log).c_str()));
     };
     glslang::TShader shader(EShLangCompute);
     const char* source = text.c_str();
     shader.setStrings(&source, 1);
-    shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
-    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
-    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+    setVulkan(shader, EShLangCompute);
     if (!shader.parse(GetDefaultResources(), 450, false, messages))
         refuse(shader.getInfoLog());
     glslang::TProgram program;

@@ -20,4 +20,8 @@ public:
 // Throws AGAA_ERROR_INVALID_ARGUMENT with the compiler's first message. `what` begins the sentence.
 std::vector<uint32_t> compileCompute(const std::string& text, const char* what);
 
+// Returns the text with its conditions decided and its macros expanded. Throws
+// AGAA_ERROR_INVALID_ARGUMENT with the first message.
+std::string preprocess(const std::string& text);
+
 } // namespace agaa

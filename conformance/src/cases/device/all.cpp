@@ -44,6 +44,7 @@ Suite makeSuite() {
     addFrameHeaderCases(suite);
     addDrawPassCases(suite);
     addDrawPassErrorCases(suite);
+    addGlslResourceCases(suite);
     addDrawTargetCases(suite);
     addSurfaceCases(suite);
     addStatisticsCases(suite);

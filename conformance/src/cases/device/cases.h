@@ -42,6 +42,7 @@ void addFrameCountCases(Suite& suite);
 void addFrameHeaderCases(Suite& suite);
 void addDrawPassCases(Suite& suite);
 void addDrawPassErrorCases(Suite& suite);
+void addGlslResourceCases(Suite& suite);
 void addDrawTargetCases(Suite& suite);
 void addSurfaceCases(Suite& suite);
 void addStatisticsCases(Suite& suite);
