@@ -136,14 +136,14 @@ typedef enum AgaaGlslStageBits {
 
 /* A resource that the GLSL of a draw pass declares. Compilers remove those that the host's code does not reach. */
 typedef struct AgaaGlslResource {
-    char name[64];     /* of the uniform, or of the block; begins with agaa_ */
-    uint32_t kind;     /* AgaaGlslResourceKind */
-    uint32_t stages;   /* AgaaGlslStageBits of the texts that declare it */
-    uint32_t set;      /* descriptor set on Vulkan; 0 on OpenGL */
-    uint32_t binding;  /* in the set; on OpenGL the texture unit, the image unit or the binding point of the block;
-                          0 for plain uniforms, which have locations */
-    uint32_t count;    /* elements of an array; 1 otherwise */
-    uint32_t reserved; /* 0 */
+    char name[64];        /* of the uniform, or of the block; begins with agaa_ */
+    uint32_t kind;        /* AgaaGlslResourceKind */
+    uint32_t stages;      /* AgaaGlslStageBits of the texts that declare it */
+    uint32_t set;         /* descriptor set on Vulkan; 0 on OpenGL */
+    uint32_t binding;     /* in the set; on OpenGL the texture unit, the image unit or the binding point of the block;
+                             0 for plain uniforms, which have locations */
+    uint32_t count;       /* elements of an array; 1 otherwise */
+    uint32_t reserved[3]; /* 0 */
 } AgaaGlslResource;
 
 /* Lists the resources that the GLSL of a draw pass declares, for engines that set or describe every uniform of their

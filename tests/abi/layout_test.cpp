@@ -58,7 +58,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaGlProgramCache, 32);
     EXPECT_SIZE(AgaaStructHeader, 16);
     EXPECT_SIZE(AgaaDrawState, 64);
-    EXPECT_SIZE(AgaaGlslResource, 88);
+    EXPECT_SIZE(AgaaGlslResource, 96);
     EXPECT_SIZE(AgaaDrawTarget, 144);
     EXPECT_SIZE(AgaaCounters, 256);
     EXPECT_SIZE(AgaaPassTime, 80);

@@ -99,7 +99,8 @@ void testNames(Test& test) {
 
 void testReservedAndCount(Test& test) {
     forResources(test, [&](const AgaaDrawPass&, const AgaaGlslResource& resource, const std::string& what) {
-        test.check(resource.reserved == 0, what + ": AgaaGlslResource::reserved is not 0.");
+        for (const uint32_t word : resource.reserved)
+            test.check(word == 0, what + ": AgaaGlslResource::reserved is not 0.");
         test.check(resource.count >= 1, what + " has the count 0.");
     });
 }
