@@ -1,9 +1,9 @@
-# Shaders in the library: passes as SPIR-V, one array a permutation; host GLSL as text.
+# Shaders in the library: passes as compressed SPIR-V, one array a permutation; host GLSL as text.
 # These passes make pipelines up to nine times faster to create. glslang's own list (-Os) also merges returns and
 # simplifies, for which GPUs need more registers (docs/results/compiled.md).
 set(AGAA_SPIRV_PASSES --inline-entry-points-exhaustive --eliminate-dead-functions --scalar-replacement=100
     --convert-local-access-chains --eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite
-    --eliminate-dead-code-aggressive)
+    --eliminate-dead-code-aggressive --strip-debug)
 set(AGAA_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
 
 # agaa_compile_pass(OUT_LIST FILE NAME:MACRO=VALUE:…...): adds commands that compile permutations of a pass, and appends

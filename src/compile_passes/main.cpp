@@ -1,5 +1,6 @@
-// Compiles permutations of a pass to SPIR-V, optimises them, and writes each as an array of a C++ include file. One
-// process compiles several, because glslang takes longer to start than most passes to compile.
+// Compiles permutations of a pass to SPIR-V, optimises and compresses them, and writes each into a C++ include file for
+// core/base/embedded.cpp. One process compiles several, because glslang takes longer to start than most passes to
+// compile.
 //
 // usage: agaa-compile-passes SHADER OUTPUT_FOLDER DEPFILE INCLUDE_FOLDERS OPTIMISATIONS PERMUTATION…
 // Lists have commas. A permutation is NAME:MACRO=VALUE:MACRO=VALUE…; its file is OUTPUT_FOLDER/NAME.inc.
@@ -7,8 +8,10 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv-tools/optimizer.hpp>
+#include <zstd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +19,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -118,15 +122,68 @@ Words optimised(const Words& words, const std::vector<std::string>& passes, cons
     return result;
 }
 
-void writeArray(const fs::path& path, const std::string& name, const Words& words) {
-    std::string text = "const uint32_t spirv_" + name + "[] = {";
-    char word[16];
-    for (const uint32_t each : words) {
-        std::snprintf(word, sizeof word, "0x%08x,", each);
-        text += word;
+// Returns whether the module uses its specialisation constant of this id.
+bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId) {
+    enum Op : uint32_t { Source = 3, Line = 8, Constant = 43, SpecConstant = 50, Decorate = 71 };
+    constexpr uint32_t header = 5, decoratesSpecId = 1;
+    // Calls visit(op, operands) for each instruction until it returns true.
+    const auto any = [&](const auto& visit) {
+        for (size_t at = header; at < spirv.size();) {
+            const size_t words = std::max(spirv[at] >> 16, 1u);
+            if (visit(spirv[at] & 0xFFFF, spirv.subspan(at + 1, std::min(words, spirv.size() - at) - 1)))
+                return true;
+            at += words;
+        }
+        return false;
+    };
+    uint32_t id = 0;
+    any([&](uint32_t op, std::span<const uint32_t> operands) {
+        if (op == Decorate && operands.size() == 3 && operands[1] == decoratesSpecId && operands[2] == specId)
+            id = operands[0];
+        return id != 0;
+    });
+    // Debug instructions and constants contain words that may equal the id without using it.
+    return id != 0 && any([&](uint32_t op, std::span<const uint32_t> operands) {
+               return !(op >= Source && op <= Line) && op != Constant && op != SpecConstant && op != Decorate &&
+                      std::ranges::find(operands, id) != operands.end();
+           });
+}
+
+std::vector<unsigned char> compressed(const Words& words) {
+    constexpr int level = 19;
+    const size_t bytes = words.size() * sizeof(uint32_t);
+    std::vector<unsigned char> out(ZSTD_compressBound(bytes));
+    const size_t size = ZSTD_compress(out.data(), out.size(), words.data(), bytes, level);
+    if (ZSTD_isError(size))
+        fail(std::string("zstd: ") + ZSTD_getErrorName(size) + ".");
+    out.resize(size);
+    return out;
+}
+
+void append(std::string& text, uint64_t value) {
+    char number[32];
+    std::snprintf(number, sizeof number, "0x%llxull,", static_cast<unsigned long long>(value));
+    text += number;
+}
+
+void writeModule(const fs::path& path, const std::string& name, const Words& words) {
+    const std::vector<unsigned char> bytes = compressed(words);
+    std::string text = "constexpr uint64_t spirv_" + name + "[] = {";
+    for (size_t i = 0; i < bytes.size(); i += sizeof(uint64_t)) {
+        uint64_t value = 0;
+        for (size_t k = i; k < std::min(i + sizeof value, bytes.size()); ++k)
+            value |= uint64_t(bytes[k]) << 8 * (k - i); // the library runs on little-endian machines
+        append(text, value);
     }
+    std::array<uint64_t, 2> constants{};
+    for (uint32_t id = 0; id < 64 * constants.size(); ++id)
+        constants[id / 64] |= uint64_t(readsConstant(words, id)) << id % 64;
+    text += "};\nconstexpr SpirvModule module_" + name + " = {\"" + name + "\", spirv_" + name + ", " +
+            std::to_string(bytes.size()) + ", " + std::to_string(words.size()) + ", {";
+    for (const uint64_t each : constants)
+        append(text, each);
     std::ofstream file(path, std::ios::binary);
-    file << text << "};\n";
+    file << text << "}};\n";
     if (!file.flush())
         fail("The file " + path.string() + " cannot be written.");
 }
@@ -151,7 +208,7 @@ int main(int count, char** arguments) {
             preamble += "#define " + parts[k].substr(0, parts[k].find('=')) + " " +
                         parts[k].substr(parts[k].find('=') + 1) + "\n";
         const fs::path output = folder / (name + ".inc");
-        writeArray(output, name, optimised(compile(shader, text, preamble, includer), passes, name));
+        writeModule(output, name, optimised(compile(shader, text, preamble, includer), passes, name));
         outputs += output.string() + " ";
     }
     glslang::FinalizeProcess();

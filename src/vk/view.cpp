@@ -136,17 +136,18 @@ Compiled View::compile(const Pass& pass, size_t index) {
     std::array<VkSpecializationMapEntry, ConstantCount> entries;
     for (uint32_t i = 0; i < ConstantCount; ++i)
         entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
-    std::vector<uint32_t> compiled;
-    if (!pass.compute().text.empty() || !pass.compute().hostCode.empty())
-        compiled =
-            compileCompute(passGlsl(pass),
-                           pass.compute().hostCode.empty() ? pass.name.c_str() : pass.compute().hostCodeOrigin.c_str());
-    const std::span<const uint32_t> words = compiled.empty() ? embeddedSpirv(pass.compute().shader) : compiled;
+    const ComputePart& program = pass.compute();
+    std::vector<uint32_t> words;
+    if (program.text.empty() && program.hostCode.empty())
+        words = embeddedSpirv(program.shader);
+    else
+        words = compileCompute(passGlsl(pass),
+                               program.hostCode.empty() ? pass.name.c_str() : program.hostCodeOrigin.c_str());
     if (words.empty())
-        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute().shader + ".");
+        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + program.shader + ".");
     VkShaderModuleCreateInfo moduleInfo{};
     moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    moduleInfo.codeSize = words.size_bytes();
+    moduleInfo.codeSize = words.size() * sizeof(uint32_t);
     moduleInfo.pCode = words.data();
     VkShaderModule module = VK_NULL_HANDLE;
     check(context.vk.CreateShaderModule(context.device, &moduleInfo, nullptr, &module), "vkCreateShaderModule");
@@ -158,7 +159,7 @@ Compiled View::compile(const Pass& pass, size_t index) {
     info.stage.module = module;
     info.stage.pName = "main";
     info.stage.pSpecializationInfo = &constants;
-    if (pass.compute().fullSubgroups) // without the flag a subgroup may have fewer lanes than the device reports
+    if (program.fullSubgroups) // without the flag a subgroup may have fewer lanes than the device reports
         info.stage.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
     info.layout = passes[index].pipelineLayout;
     VkPipeline pipeline = VK_NULL_HANDLE;

@@ -513,7 +513,7 @@ TEST(Planner, FoldedAggregatesInMemoryAreNotFiltered) {
 void expectShadersOf(const ViewSpec& spec) {
     for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
         EXPECT_TRUE(pass.kind() != PassKind::Compute || !pass.compute().hostCode.empty() ||
-                    !embeddedSpirv(pass.compute().shader).empty())
+                    hasSpirv(pass.compute().shader))
             << pass.compute().shader;
 }
 

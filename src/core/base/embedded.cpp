@@ -1,20 +1,36 @@
 #include "core/base/embedded.h"
 
+#include "core/base/error.h"
+
+#include <zstd.h>
+
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 namespace agaa {
 
 namespace {
 
+// A pass permutation, which agaa-compile-passes writes.
+struct SpirvModule {
+    std::string_view name;
+    const uint64_t* data;              // by zstd
+    size_t bytes;                      // of data
+    size_t words;                      // of the module
+    std::array<uint64_t, 2> constants; // bit i: the module uses the specialisation constant i
+};
+
 #include "spirv_includes.inc"
 
-struct SpirvRow {
-    std::string_view name;
-    std::span<const uint32_t> words;
-};
-const SpirvRow spirvTable[] = {
+constexpr const SpirvModule* modules[] = {
 #include "spirv_table.inc"
 };
+
+const SpirvModule* findModule(std::string_view name) {
+    const auto found = std::ranges::find(modules, name, [](const SpirvModule* each) { return each->name; });
+    return found == std::end(modules) ? nullptr : *found;
+}
 
 struct TextRow {
     std::string_view path;
@@ -27,11 +43,22 @@ constexpr TextRow textTable[] = {
 
 } // namespace
 
-std::span<const uint32_t> embeddedSpirv(std::string_view name) {
-    for (const SpirvRow& row : spirvTable)
-        if (row.name == name)
-            return row.words;
-    return {};
+bool hasSpirv(std::string_view name) { return findModule(name) != nullptr; }
+
+std::vector<uint32_t> embeddedSpirv(std::string_view name) {
+    const SpirvModule* found = findModule(name);
+    if (!found)
+        return {};
+    std::vector<uint32_t> words(found->words);
+    const size_t bytes = words.size() * sizeof(uint32_t);
+    if (ZSTD_decompress(words.data(), bytes, found->data, found->bytes) != bytes)
+        fail(AGAA_ERROR_INTERNAL, "the shader " + std::string(name) + " cannot be decompressed.");
+    return words;
+}
+
+bool readsConstant(std::string_view name, uint32_t specId) {
+    const SpirvModule* found = findModule(name);
+    return found && specId < 64 * found->constants.size() && found->constants[specId / 64] >> specId % 64 & 1;
 }
 
 std::string_view embeddedGlsl(std::string_view path) {
@@ -39,32 +66,6 @@ std::string_view embeddedGlsl(std::string_view path) {
         if (row.path == path)
             return row.text;
     return {};
-}
-
-bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId) {
-    enum Op : uint32_t { Source = 3, Line = 8, Constant = 43, SpecConstant = 50, Decorate = 71 };
-    constexpr uint32_t header = 5, decoratesSpecId = 1;
-    // Calls visit(op, operands) for each instruction until it returns true.
-    const auto any = [&](const auto& visit) {
-        for (size_t at = header; at < spirv.size();) {
-            const size_t words = std::max(spirv[at] >> 16, 1u);
-            if (visit(spirv[at] & 0xFFFF, spirv.subspan(at + 1, std::min(words, spirv.size() - at) - 1)))
-                return true;
-            at += words;
-        }
-        return false;
-    };
-    uint32_t id = 0;
-    any([&](uint32_t op, std::span<const uint32_t> operands) {
-        if (op == Decorate && operands.size() == 3 && operands[1] == decoratesSpecId && operands[2] == specId)
-            id = operands[0];
-        return id != 0;
-    });
-    // Debug instructions and constants contain words that may equal the id without using it.
-    return id != 0 && any([&](uint32_t op, std::span<const uint32_t> operands) {
-               return !(op >= Source && op <= Line) && op != Constant && op != SpecConstant && op != Decorate &&
-                      std::ranges::find(operands, id) != operands.end();
-           });
 }
 
 } // namespace agaa

@@ -58,6 +58,7 @@ uint32_t PlanBuilder::variantLitShadows() const {
 // Changes constants of compute passes. Constants that a shader does not read keep their values, so that variants share
 // its pipeline.
 void PlanBuilder::specialiseForVariant() {
+    static_assert(ConstantCount <= 128, "core/base/embedded.cpp has 128 bits for each module.");
     const uint32_t shadows = plan.view.variantFacts.shadowMapCount;
     if (plan.view.variantFacts.flags == plan.view.facts.flags && shadows == plan.view.facts.shadowMapCount)
         return;
@@ -65,12 +66,10 @@ void PlanBuilder::specialiseForVariant() {
         if (pass.kind() != PassKind::Compute)
             continue;
         // A pass that is compiled with the view may read any constant.
-        const std::span<const uint32_t> spirv = pass.compute().hostCode.empty() && pass.compute().text.empty()
-                                                    ? embeddedSpirv(pass.compute().shader)
-                                                    : std::span<const uint32_t>();
+        const bool isEmbedded = pass.compute().hostCode.empty() && pass.compute().text.empty();
         const auto limit = [&](Constant constant, uint32_t value) {
             uint32_t& current = pass.constants[constant];
-            if (current != value && (spirv.empty() || readsConstant(spirv, constant)))
+            if (current != value && (!isEmbedded || readsConstant(pass.compute().shader, constant)))
                 current = value;
         };
         if (!variantHas(AGAA_FACT_SPECULAR))
