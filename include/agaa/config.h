@@ -110,10 +110,11 @@ typedef enum AgaaBrdf { AGAA_BRDF_BLINN_PHONG = 0, AGAA_BRDF_GGX = 1, AGAA_BRDF_
 
 /* Selects how the spread of normals in an aggregate widens the specular lobe (AGAA section 3.5.2). LEAN and SGGX
  * widen it by the spread in each direction, so that lobes become elliptic: use them for thin geometry with sharp
- * highlights. They need the normal of each sample: the tier must be FRAGMENTS, or IDS or GBUFFER without
- * AGAA_CONFIG_BUFFERED. Up to 32 samples, AUTO selects IDS with an AgaaFetchFunction and GBUFFER without; any other
- * tier fails with AGAA_ERROR_UNSUPPORTED. "dcaa" keeps the spread of a surface's normals in 8 bytes more. Other
- * techniques, and views without specular light, use TOKSVIG instead. */
+ * highlights. Up to 32 samples, AUTO selects IDS with an AgaaFetchFunction and GBUFFER without, which read the normal
+ * of each sample when they shade. Aggregates in memory, those of two geometry passes or of AGAA_CONFIG_BUFFERED, keep
+ * second moments of the normals in 20 bytes more each (AGAA section 3.4.1). A layout with folded roughness cannot have
+ * them there, and NV_MIXED_SAMPLES keeps none: these fail with AGAA_ERROR_UNSUPPORTED. "dcaa" keeps the spread of a
+ * surface's normals in 8 bytes more. Other techniques, and views without specular light, use TOKSVIG instead. */
 typedef enum AgaaNdf {
     AGAA_NDF_NONE = 0,    /* no widening, for ablation */
     AGAA_NDF_TOKSVIG = 1, /* isotropic, by the length of the mean normal (Toksvig 2005) */
@@ -164,7 +165,7 @@ typedef enum AgaaTier {
 /* "agaa": cluster samples of one surface like all others (AGAA 3.3), so that their distance may separate them. */
 #define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x08)
 /* "agaa": with the tiers IDS and GBUFFER too, aggregates go to the surface "aggregates", and a pass of its own
- * shades them. Excludes litShadows, the elliptic NDFs and the tier FRAGMENTS. */
+ * shades them. Excludes litShadows, elliptic NDFs with layouts of folded roughness, and the tier FRAGMENTS. */
 #define AGAA_CONFIG_BUFFERED UINT64_C(0x10)
 /* Tier IDS of "agaa": evaluate a primitive's material for each texel of the target that shows it, at the point
  * where a G-buffer pass evaluates it: the centre, or the first covered sample. Derivatives of normals are not

@@ -83,7 +83,31 @@ TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
     EXPECT_TRUE(has(dark.notes, "does not declare"));
 }
 
-TEST(GroupedPlan, EllipticLobesWantEachNormal) {
+TEST(GroupedPlan, EllipticLobesOfFoldedRoughnessNeedEachNormal) {
+    ViewSpec spec;
+    spec.layout = "paper16";
+    spec.change = [](TechniqueConfig& config) { config.ndf = AGAA_NDF_LEAN; };
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).view.generationTier, AGAA_TIER_GBUFFER);
+    spec.generationTier = AGAA_TIER_PER_SAMPLE;
+    EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
+}
+
+TEST(GroupedPlan, AggregatesKeepMomentsForEllipticLobes) {
+    for (const uint32_t tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        ViewSpec spec;
+        const AgaaFetchFunction fetch = fetchFunction();
+        spec.generationTier = tier;
+        spec.chained = tier == AGAA_TIER_IDS ? &fetch : nullptr;
+        spec.configFlags = AGAA_CONFIG_BUFFERED;
+        const Plan round = planFor(spec, idealDevice());
+        spec.change = [](TechniqueConfig& config) { config.ndf = AGAA_NDF_SGGX; };
+        const Plan elliptic = planFor(spec, idealDevice());
+        EXPECT_EQ(elliptic.bytesPerAggregate, round.bytesPerAggregate + 20) << tier;
+        EXPECT_EQ(elliptic.totalBytes() - round.totalBytes(), 640u * 360u * 2u * 20u) << tier;
+    }
+}
+
+TEST(GroupedPlan, EllipticLobesPreferEachNormal) {
     for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
         ViewSpec spec;
         spec.change = [=](TechniqueConfig& config) { config.ndf = ndf; };

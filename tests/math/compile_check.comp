@@ -25,6 +25,7 @@
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
+#include "../../src/shaders/math/normal_moments.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
 #include "../../src/shaders/math/barycentrics.glsl"

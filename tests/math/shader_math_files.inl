@@ -23,6 +23,7 @@
 #undef AGAA_MATH_METADATA_GLSL
 #undef AGAA_MATH_NDF_GLSL
 #undef AGAA_MATH_NORMAL_SPREAD_GLSL
+#undef AGAA_MATH_NORMAL_MOMENTS_GLSL
 #undef AGAA_MATH_BRDF_GLSL
 #undef AGAA_MATH_DEPTH_GLSL
 #undef AGAA_MATH_BARYCENTRICS_GLSL
@@ -59,6 +60,7 @@
 #include "../../src/shaders/math/sbaa_records.glsl"
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
+#include "../../src/shaders/math/normal_moments.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
 #include "../../src/shaders/math/barycentrics.glsl"

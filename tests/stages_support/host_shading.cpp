@@ -118,6 +118,28 @@ void CustomImages::add(const ViewSettings& settings, std::span<const float> rgba
         ASSERT_NEAR(first->second[i], parts[i], 1e-6f) << i;
 }
 
+void expectMoments(const ViewSettings& settings, std::span<const float> rgba) {
+    ASSERT_EQ(rgba.size(), size_t(settings.width) * settings.height * 4);
+    float furthest = 0, variance = 0, least = 1;
+    for (size_t i = 0; i < rgba.size(); i += 4) {
+        if (settings.config.ndf <= AGAA_NDF_TOKSVIG) {
+            ASSERT_EQ(rgba[i], 0.0f) << i / 4;
+        }
+        ASSERT_LE(rgba[i], 1.0f + 1e-3f) << i / 4; // the shares of a pixel's aggregates sum to at most 1
+        furthest = std::max(furthest, rgba[i + 1]);
+        variance = std::max(variance, rgba[i + 2]);
+        least = std::min(least, rgba[i + 2]);
+    }
+    if (settings.config.ndf <= AGAA_NDF_TOKSVIG)
+        return;
+    EXPECT_GT(least, -2e-3f); // the mean has 11 bits
+    if (settings.config.samples == 1) {
+        EXPECT_LT(furthest, 3e-3f); // the moments are those of the only normal
+    } else {
+        EXPECT_GT(variance, 0.05f);
+    }
+}
+
 void expectShadedAlike(const std::vector<float>& sdk, const std::vector<float>& host) {
     ASSERT_EQ(host.size(), sdk.size());
     double sum = 0;

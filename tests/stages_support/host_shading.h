@@ -42,6 +42,14 @@ private:
     std::map<uint32_t, std::vector<float>> parts_; // by n
 };
 
+// Of all normals and of the mean: the sum of squares, the distance of the moments, and the variance.
+constexpr const char* momentLight =
+    "vec3(dot(g.normalSquares, vec3(1.0)), distance(g.normalSquares, g.normal * g.normal) + "
+    "distance(g.normalProducts, g.normal.yzx * g.normal.zxy), dot(g.normalSquares, vec3(1.0)) - dot(g.normal, "
+    "g.normal))";
+// Checks an image by momentLight: views without elliptic lobes have no moments.
+void expectMoments(const ViewSettings& settings, std::span<const float> rgba);
+
 // RGBA: the image of the SDK's own shading, and the shader's.
 void expectShadedAlike(const std::vector<float>& sdk, const std::vector<float>& host);
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace agaa::test {
@@ -90,6 +91,22 @@ TYPED_TEST_P(HostShadingCases, ReadsAttributesOfItsOwn) {
     });
 }
 
+TYPED_TEST_P(HostShadingCases, ReadsMomentsOfNormals) {
+    forHostShading(TypeParam::drawnTier, [&](ViewSettings settings) {
+        const AgaaLayout& layout = *settings.config.layout;
+        if (std::any_of(layout.attributes, layout.attributes + layout.attributeCount,
+                        [](const auto& attribute) { return attribute.encoding == AGAA_ENCODING_FOLDED; }))
+            return;
+        for (const uint32_t ndf : {AGAA_NDF_TOKSVIG, AGAA_NDF_LEAN}) {
+            settings.config.ndf = ndf;
+            typename TypeParam::View view(this->context, settings);
+            view.setTriangles(hostShadingScene());
+            const typename TypeParam::Pass pass(this->context, settings, view, momentLight);
+            expectMoments(settings, this->shaded(view, pass));
+        }
+    });
+}
+
 TYPED_TEST_P(HostShadingCases, IsRefusedWhereNothingIsKept) {
     for (const char* technique : {"ssaa", "sbaa", "agaa"}) {
         ViewSettings settings;
@@ -105,7 +122,7 @@ TYPED_TEST_P(HostShadingCases, IsRefusedWhereNothingIsKept) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(HostShadingCases, ReadsWhatTheSdkShades, ReadsAttributesOfItsOwn,
+REGISTER_TYPED_TEST_SUITE_P(HostShadingCases, ReadsWhatTheSdkShades, ReadsAttributesOfItsOwn, ReadsMomentsOfNormals,
                             IsRefusedWhereNothingIsKept);
 
 } // namespace agaa::test

@@ -145,9 +145,9 @@ static bool isIdentifier(std::string_view name) {
 // Adds a custom attribute that checkAttribute() has accepted.
 static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
     static constexpr std::string_view members[] = {
-        "position",  "geometricNormal", "alpha",    "alphaCutoff", "hasAlphaNear", "alphaNear", "hasAlphaRows",
-        "alphaRows", "primitiveSeed",   "draw",     "primitive",   "diffuse",      "specular",  "emissive",
-        "normal",    "alpha2",          "normalDx", "normalDy",    "samples"};
+        "position",  "geometricNormal", "alpha",    "alphaCutoff", "hasAlphaNear", "alphaNear",     "hasAlphaRows",
+        "alphaRows", "primitiveSeed",   "draw",     "primitive",   "diffuse",      "specular",      "emissive",
+        "normal",    "alpha2",          "normalDx", "normalDy",    "samples",      "normalSquares", "normalProducts"};
     require(attribute.name, AGAA_ERROR_LAYOUT, "a custom layout attribute has no name.");
     const std::string name(attribute.name, strnlen(attribute.name, 32));
     if (!isIdentifier(name))

@@ -5,6 +5,7 @@
 #include "core/base/names.h"
 #include "core/view/lanes.h"
 #include "core/view/tiers.h"
+#include "shaders/tables/layouts.inc"
 
 #include <algorithm>
 
@@ -88,8 +89,14 @@ void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const 
 
 // The aggregates in memory that two geometry passes fill.
 uint64_t aggregateBytes(const ResolvedView& view) {
-    const uint64_t words = packAggregate(twoPassLayout(view.layout, view.facts.flags), view.samples).words;
+    const uint64_t moments = view.config.ndf > AGAA_NDF_TOKSVIG ? AGAA_MOMENT_WORDS : 0;
+    const uint64_t words = packAggregate(twoPassLayout(view.layout, view.facts.flags), view.samples).words + moments;
     return checkedMultiply(uint64_t(view.width) * view.height, 4 * words * view.aggregates + view.claimBytes());
+}
+
+// Folded roughness and the spread of normals are one value in memory, which elliptic lobes cannot separate.
+bool needsEachNormal(const ResolvedView& view) {
+    return view.config.ndf > AGAA_NDF_TOKSVIG && view.layout.foldsRoughness();
 }
 
 void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, TechniqueTable table) {
@@ -145,10 +152,11 @@ void checkTierOptions(const ResolvedView& view, const Technique& technique) {
             "AgaaAggregation::litShadows needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED, "
             "which know "
             "materials and shadows in one pass.");
-    require(
-        config.ndf <= AGAA_NDF_TOKSVIG || (view.knowsMaterials() && !buffered), AGAA_ERROR_UNSUPPORTED,
-        "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, "
-        "whose spread is not kept in memory.");
+    require(!needsEachNormal(view) || (view.knowsMaterials() && !buffered), AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic "
+            "lobes of a layout with folded roughness, whose aggregates in memory cannot have them.");
+    require(config.ndf <= AGAA_NDF_TOKSVIG || view.generationTier != AGAA_TIER_NV_MIXED_SAMPLES, AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::ndf asks for elliptic lobes, whose spread the tier nv-mixed-samples does not keep.");
     const uint32_t shown = view.measurement.debugView;
     const bool showsAggregates =
         shown == AGAA_DEBUG_VIEW_AGGREGATES || shown == AGAA_DEBUG_VIEW_CLUSTERS || shown == AGAA_DEBUG_VIEW_WIDENED;

@@ -73,8 +73,11 @@ agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
     if (folded) {
         s.alpha2 = agaa_alpha2FromFoldedLength(meanLength);
     } else if (AGAA_NDF >= agaa_ndfLean) {
-        agaa_spreadAlpha2(m.moments, s.normal, meanLength, m.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, m.lengthBound,
-                          s.axis, s.alpha2Along, s.alpha2);
+        // Moments in memory have errors of up to 1e-6. The mean is rounded on its own, and the square of the angle by
+        // which that turns it counts as spread.
+        const float bound = AGAA_SPREAD_WORDS != 0u ? m.lengthBound * m.lengthBound + 1e-6 : m.lengthBound;
+        agaa_spreadAlpha2(m.moments, s.normal, meanLength, m.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, bound, s.axis,
+                          s.alpha2Along, s.alpha2);
     } else {
         s.alpha2 = AGAA_NDF != agaa_ndfNone ? agaa_toksvigAlpha2(m.alpha2, s.meanLength) : m.alpha2;
     }

@@ -80,6 +80,8 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 // normals   The samples whose mean is the normal.
 agaa_Means agaa_meansOfAggregate(uvec2 pixel, uint normals) {
     agaa_Means means = agaa_meansOfStored(agaa_storedMeans());
+    if (AGAA_SPREAD_WORDS != 0u)
+        means.moments = agaa_storedMoments();
 #ifdef AGAA_READS_NORMALS
     if (AGAA_PREPASS_NORMALS != 0u) {
         means.normal = agaa_meanPrepassNormal(pixel, normals);

@@ -9,6 +9,7 @@
 #include "aggregate/stored_means.glsl"
 #include "math/encoding.glsl"
 #include "math/ndf.glsl"
+#include "math/normal_moments.glsl"
 #include "math/sbaa_records.glsl"
 #include "common/stored.glsl"
 
@@ -42,6 +43,13 @@ uint agaa_sum(uint field) { return agaa_field(field + (uint(findMSB(AGAA_SAMPLES
 
 uint agaa_summed() { return agaa_aggregateSamples; }
 #endif
+
+// Returns the second moments of the normals. Aggregates have them if AGAA_SPREAD_WORDS is not 0.
+agaa_NormalMoments agaa_storedMoments() {
+    const uint at = agaa_base + AGAA_WORDS;
+    return agaa_momentsOfSums(AGAA_AGGREGATE_WORD(at), AGAA_AGGREGATE_WORD(at + 1u), AGAA_AGGREGATE_WORD(at + 2u),
+                              AGAA_AGGREGATE_WORD(at + 3u), AGAA_AGGREGATE_WORD(at + 4u), agaa_aggregateSamples);
+}
 
 float agaa_meanOf(uint field) {
     const uint bits = agaa_fieldBits(field);

@@ -5,16 +5,21 @@
 #error "sums.glsl needs AGAA_BINDING_AGGREGATES."
 #endif
 #include "aggregate/packing.glsl"
+#include "math/normal_moments.glsl"
+#include "tables/layouts.inc"
 
 layout(std430, AGAA_BINDING_AGGREGATES) buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
 
 uint agaa_sums[AGAA_MAX_WORDS];
+uint agaa_momentSums[AGAA_MOMENT_WORDS]; // stored if AGAA_SPREAD_WORDS is not 0
 
 void agaa_clearSums() {
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_sums[w] = 0u;
+    for (uint m = 0u; m < AGAA_MOMENT_WORDS; ++m)
+        agaa_momentSums[m] = 0u;
 }
 
 // Adds the attributes of `count` samples.
@@ -23,6 +28,8 @@ void agaa_addToSums(agaa_Stored v, uint count) {
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_sums[w] = agaa_isUnfilteredWord(w) ? max(agaa_sums[w], agaa_packed[w])
                                                 : agaa_sums[w] + agaa_packed[w] * count;
+    for (uint m = 0u; m < AGAA_SPREAD_WORDS; ++m)
+        agaa_momentSums[m] += agaa_momentCode(m, v.normal) * count;
 }
 
 // mask   Samples of the aggregate.
@@ -31,5 +38,7 @@ void agaa_storeSums(uint mask, uint base) {
     agaa_sums[AGAA_FIELD_COVERAGE & 0xFFu] |= mask << (AGAA_FIELD_COVERAGE >> 8u & 0xFFu);
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_aggregates.words[base + w] = agaa_sums[w];
+    for (uint m = 0u; m < AGAA_SPREAD_WORDS; ++m)
+        agaa_aggregates.words[base + AGAA_WORDS + m] = agaa_momentSums[m];
 }
 #endif

@@ -1,8 +1,9 @@
 // Generation pass: adds a fragment's attributes to the aggregates of its visible samples, split exactly (AGAA algorithm
 // 2). Sums are integers, so the order of fragments does not matter. Needs the macros of core/glsl/host_glsl.cpp.
-#if !defined(AGAA_WORDS) || !defined(AGAA_STRIDE) || !defined(AGAA_REPRESENTED)
-#error "accumulate_aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE and AGAA_REPRESENTED."
+#if !defined(AGAA_WORDS) || !defined(AGAA_STRIDE) || !defined(AGAA_REPRESENTED) || !defined(AGAA_SPREAD_WORDS)
+#error "accumulate_aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE, AGAA_REPRESENTED and AGAA_SPREAD_WORDS."
 #endif
+#include "math/normal_moments.glsl"
 layout(early_fragment_tests) in;
 #if AGAA_POST_DEPTH_COVERAGE
 layout(post_depth_coverage) in;
@@ -92,7 +93,8 @@ void agaa_emit(AgaaSurfaceInput s) {
         return;
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
     agaa_countSurface(bad);
-    agaa_packSurface(agaa_storedInput(s));
+    agaa_Stored stored = agaa_storedInput(s);
+    agaa_packSurface(stored);
     uvec2 pixel = agaa_hostPixel();
     uvec2 planes = agaa_readPlanes(pixel);
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
@@ -137,5 +139,7 @@ void agaa_emit(AgaaSurfaceInput s) {
                 agaa_raiseWord(base + w, agaa_packed[w]);
             else if (agaa_packed[w] * count != 0u)
                 agaa_addToWord(base + w, agaa_packed[w] * count);
+        for (uint m = 0u; m < AGAA_SPREAD_WORDS; ++m)
+            agaa_addToWord(base + AGAA_WORDS + m, agaa_momentCode(m, stored.normal) * count);
     }
 }

@@ -29,10 +29,11 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
             triangles.push_back(triangle);
         }
     }
-    const auto profile = [&](const char* technique, uint32_t tier, uint32_t ndf) {
+    const auto profile = [&](const char* technique, uint32_t tier, uint32_t ndf, uint64_t flags = 0) {
         ViewSettings settings = settingsFor(8, 1, tier);
         settings.config.technique = technique;
         settings.config.ndf = ndf;
+        settings.config.flags |= flags;
         harness::Image image;
         if (tier == AGAA_TIER_IDS) {
             image = IdsView(context, settings, {.triangles = triangles}).render();
@@ -46,9 +47,14 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
         return columns;
     };
     const std::vector<double> truth = profile("ssaa", AGAA_TIER_AUTO, AGAA_NDF_TOKSVIG);
-    for (const uint32_t tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+    const uint64_t inMemory = AGAA_CONFIG_BUFFERED;
+    for (const auto& [tier, flags] : {std::pair{AGAA_TIER_GBUFFER, uint64_t(0)},
+                                      {AGAA_TIER_IDS, uint64_t(0)},
+                                      {AGAA_TIER_GBUFFER, inMemory},
+                                      {AGAA_TIER_IDS, inMemory},
+                                      {AGAA_TIER_PER_SAMPLE, uint64_t(0)}}) {
         const auto error = [&](uint32_t ndf) {
-            const std::vector<double> shown = profile("agaa", tier, ndf);
+            const std::vector<double> shown = profile("agaa", tier, ndf, flags);
             double sum = 0, all = 0;
             for (size_t x = 0; x < truth.size(); ++x) {
                 sum += (shown[x] - truth[x]) * (shown[x] - truth[x]);
@@ -57,8 +63,8 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
             return std::sqrt(sum / all);
         };
         const double round = error(AGAA_NDF_TOKSVIG), lean = error(AGAA_NDF_LEAN), sggx = error(AGAA_NDF_SGGX);
-        std::printf("%s: relative error of the profile, round %.3f, LEAN %.3f, SGGX %.3f\n", agaaTierName(tier), round,
-                    lean, sggx);
+        std::printf("%s%s: relative error of the profile, round %.3f, LEAN %.3f, SGGX %.3f\n", agaaTierName(tier),
+                    flags ? ", buffered" : "", round, lean, sggx);
         EXPECT_GT(round, 0.1) << "there is something to gain";
         EXPECT_LT(lean, 0.42 * round);
         EXPECT_LT(sggx, 0.72 * round);

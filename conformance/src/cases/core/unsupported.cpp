@@ -64,9 +64,29 @@ std::vector<Row> needsMaterials(const std::string& setting, bool isBuffered, con
 }
 
 void testNdf(Test& test) {
+    AgaaLayout folded = AGAA_LAYOUT_INIT;
+    test.requireOk(test.sdk.agaaGetBuiltinLayout("paper16", &folded), "agaaGetBuiltinLayout(\"paper16\")");
     for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
         const std::string name = ndf == AGAA_NDF_LEAN ? "AGAA_NDF_LEAN" : "AGAA_NDF_SGGX";
-        testRows(test, needsMaterials(name, false, [ndf](ViewParts& p) { p.config.ndf = ndf; }));
+        testRows(test, needsMaterials(name + ", a layout with folded roughness", false, [&](ViewParts& p) {
+                     p.config.ndf = ndf;
+                     p.layout = folded;
+                     p.useLayout();
+                 }));
+        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
+                                    AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES})
+            for (const uint64_t flags : {uint64_t(0), uint64_t(AGAA_CONFIG_BUFFERED)})
+                testRows(test,
+                         {{name + ", the tier " + std::to_string(tier) + " and the flags " + std::to_string(flags),
+                           tier == AGAA_TIER_NV_MIXED_SAMPLES ? unsupported : AGAA_OK,
+                           [=](ViewParts& p) {
+                               p.config.ndf = ndf;
+                               p.config.generationTier = tier;
+                               p.config.flags |= flags;
+                               if (tier == AGAA_TIER_IDS)
+                                   p.chain(p.fetch);
+                           },
+                           ""}});
         const auto withTier = [ndf](const char* technique, bool isSpecular) {
             return [=](ViewParts& p) {
                 p.config.technique = technique;

@@ -4,6 +4,7 @@
 #include "core/plan/techniques/fragment_lists.h"
 #include "core/plan/techniques/generation_tiers.h"
 #include "core/plan/techniques/techniques.h"
+#include "shaders/tables/layouts.inc"
 
 #include <bit>
 
@@ -87,7 +88,8 @@ void build(PlanBuilder& b) {
     Aggregation sums;
     sums.layout = byIds || fromGBuffer ? b.view().layout : twoPassLayout(b.view().layout, b.view().facts.flags);
     sums.packing = packAggregate(sums.layout, b.view().samples);
-    sums.stride = sums.packing.words;
+    sums.spreadWords = b.view().config.ndf > AGAA_NDF_TOKSVIG ? AGAA_MOMENT_WORDS : 0;
+    sums.stride = sums.packing.words + sums.spreadWords;
     sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
     byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
 }
