@@ -58,7 +58,7 @@ def ratios(scenes, row, base, key):
 def document(scenes, arguments):
     lines = ["# Elliptic lobes of aggregates in memory", "",
              f"Written by `benchmark/stored_moments.py` on {scenes[0]['device']}: {arguments.size}, n = {arguments.samples}, c = 2, "
-             f"{arguments.turns} turns. Errors are mean squares after tone mapping against `ssaa` of the same n. Two geometry passes "
+             f"{arguments.turns} {'turn' if arguments.turns == 1 else 'turns'} of times. Errors are mean squares after tone mapping against `ssaa` of the same n. Two geometry passes "
              "accumulate by the tier per-sample; buffered aggregates come from a G-buffer, as those that are shaded at once.", "",
              "Error by that of the same aggregates with round lobes (`AGAA_NDF_TOKSVIG`):", ""]
     columns = [row for rows in TIERS.values() for row in rows]
