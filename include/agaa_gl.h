@@ -277,7 +277,7 @@ AGAA_API void AGAA_CALL agaaInitGlSurface(AgaaGlSurface* outSurface, size_t stru
 typedef struct AgaaGlFrame {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext; /* null */
+    const void* pNext; /* null, or an AgaaGlResolvedTextures */
     /* The output: level 0 of a TEXTURE_2D with the size of the view, or one that holds the frame at AgaaFrame::outputX
      * and outputY if the frame names its width, in a format that supports image stores; RGBA16F is recommended. The
      * shading segment needs it. Row 0 is where the projection places y = -1. */
@@ -290,6 +290,25 @@ typedef struct AgaaGlFrame {
 #define AGAA_GL_FRAME_INIT                                                                                             \
     { AGAA_STRUCTURE_TYPE_GL_FRAME, (uint32_t)sizeof(AgaaGlFrame), NULL, 0, {0, 0, 0, 0}, 0 }
 AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize);
+
+/* Textures for AgaaResolvedOutputs. Chain it to AgaaGlFrame. The shading segment of such a view needs it. Each texture
+ * is as AgaaGlFrame::outputTexture, with its size or larger, in a float or normalised format that supports image
+ * stores. R32F keeps depths. Elements beyond the number of outputs are not read. */
+typedef struct AgaaGlResolvedTextures {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t textures[AGAA_MAX_RESOLVED_OUTPUTS]; /* all are different */
+    uint32_t reserved[2];                         /* 0 */
+} AgaaGlResolvedTextures;
+#define AGAA_GL_RESOLVED_TEXTURES_INIT                                                                                 \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_GL_RESOLVED_TEXTURES, (uint32_t)sizeof(AgaaGlResolvedTextures), NULL, {0, 0, 0, 0, 0, 0},  \
+        {                                                                                                              \
+            0, 0                                                                                                       \
+        }                                                                                                              \
+    }
+AGAA_API void AGAA_CALL agaaInitGlResolvedTextures(AgaaGlResolvedTextures* outTextures, size_t structSize);
 
 /* Runs the segments of a frame in the current context.
  *

@@ -35,6 +35,7 @@
 #include "agaa/frame.h"
 #include "agaa/functions.h"
 #include "agaa/goal.h"
+#include "agaa/outputs.h"
 #include "agaa/price.h"
 #include "agaa/query.h"
 #include "agaa/statistics.h"

@@ -249,7 +249,7 @@ AGAA_API void AGAA_CALL agaaInitVkSurface(AgaaVkSurface* outSurface, size_t stru
 typedef struct AgaaVkFrame {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;   /* null */
+    const void* pNext;   /* null, or an AgaaVkResolvedImages */
     void* commandBuffer; /* primary, recording, outside rendering and conditional rendering */
     /* The output: a 2D image with one layer and the size of the view, or one that holds the frame at
      * AgaaFrame::outputX and outputY if the frame names its width, with usage STORAGE (and SAMPLED with
@@ -270,6 +270,28 @@ typedef struct AgaaVkFrame {
 #define AGAA_VK_FRAME_INIT                                                                                             \
     { AGAA_STRUCTURE_TYPE_VK_FRAME, (uint32_t)sizeof(AgaaVkFrame), NULL, NULL, 0, 0, 0, 1, {0, 0, 0, 0}, 0 }
 AGAA_API void AGAA_CALL agaaInitVkFrame(AgaaVkFrame* outFrame, size_t structSize);
+
+/* Images for AgaaResolvedOutputs. Chain it to AgaaVkFrame. The shading segment of such a view needs it. Each image is
+ * as AgaaVkFrame::outputImage, with its size or larger, in a float or normalised format whose storage view can be
+ * written without a format. R32_SFLOAT keeps depths. Elements beyond the number of outputs are not read. */
+typedef struct AgaaVkResolvedImages {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t images[AGAA_MAX_RESOLVED_OUTPUTS];     /* VkImage; all are different */
+    uint64_t views[AGAA_MAX_RESOLVED_OUTPUTS];      /* VkImageView */
+    uint32_t layoutsIn[AGAA_MAX_RESOLVED_OUTPUTS];  /* VkImageLayout; the contents are lost except around the frame */
+    uint32_t layoutsOut[AGAA_MAX_RESOLVED_OUTPUTS]; /* VkImageLayout that the SDK leaves, visible to all later commands;
+                                                       not UNDEFINED and not PREINITIALIZED */
+} AgaaVkResolvedImages;
+#define AGAA_VK_RESOLVED_IMAGES_INIT                                                                                   \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_VK_RESOLVED_IMAGES, (uint32_t)sizeof(AgaaVkResolvedImages), NULL, {0, 0, 0, 0, 0, 0},      \
+            {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {                                                                  \
+            1, 1, 1, 1, 1, 1                                                                                           \
+        }                                                                                                              \
+    }
+AGAA_API void AGAA_CALL agaaInitVkResolvedImages(AgaaVkResolvedImages* outImages, size_t structSize);
 
 /* Records the segments of a frame into the host's command buffer. Afterwards the bound pipelines, descriptor sets
  * and dynamic state of the command buffer are undefined.

@@ -19,7 +19,7 @@ from pycparser import c_ast, c_generator, c_parser
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 HEADERS = ["agaa/base.h", "agaa/config.h", "agaa/adaptive.h", "agaa/frame.h", "agaa/functions.h", "agaa/query.h", "agaa/price.h",
-           "agaa/statistics.h", "agaa/goal.h", "agaa_vk.h", "agaa_gl.h"]
+           "agaa/statistics.h", "agaa/outputs.h", "agaa/goal.h", "agaa_vk.h", "agaa_gl.h"]
 SIZES = {"char": 1, "int": 4, "float": 4, "double": 8, "uint32_t": 4, "int32_t": 4, "uint64_t": 8, "int64_t": 8, "size_t": 8,
          "void": 0}
 # What a C compiler has: the parser knows no attributes and no standard headers.

@@ -19,7 +19,7 @@ import re
 import sys
 
 HEADERS = ("agaa/base.h", "agaa/config.h", "agaa/adaptive.h", "agaa/frame.h", "agaa/functions.h", "agaa/query.h", "agaa/price.h",
-           "agaa/statistics.h", "agaa/goal.h", "agaa/temporal.h", "agaa_vk.h", "agaa_gl.h")
+           "agaa/statistics.h", "agaa/outputs.h", "agaa/goal.h", "agaa/temporal.h", "agaa_vk.h", "agaa_gl.h")
 ERROR = re.compile(r"AGAA_ERROR_[A-Z_]+")
 RANGE = re.compile(r"[\[(]-?[0-9][^\]()]*, ?[^\]()]*[\])]|>=? ?[0-9]|\b[0-9]+, [0-9]+,")
 

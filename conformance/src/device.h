@@ -83,6 +83,10 @@ public:
     // Returns linear RGBA, row 0 first.
     virtual std::vector<float> readOutput() = 0;
     virtual void fillOutput(float value) = 0;
+    // Creates images of the size of the output for AgaaResolvedOutputs, which later frames chain. 0: they chain none.
+    virtual void setResolvedOutputs(uint32_t count) = 0;
+    // Returns RGBA of image i, row 0 first.
+    virtual std::vector<float> readResolvedOutput(uint32_t i) = 0;
 
     // Returns the messages of the validation layers, or of OpenGL's debug output, since the last call.
     virtual std::vector<std::string> takeMessages() = 0;

@@ -519,8 +519,8 @@ AGAA_API void AGAA_CALL agaaInitSceneFacts(AgaaSceneFacts* outFacts, size_t stru
  * use the flag. */
 #define AGAA_VIEW_VERTEX_PULLING UINT64_C(0x08)
 
-/* Describes a view. An AgaaGBufferFunction or AgaaFetchFunction, an AgaaShadowFunction and an AgaaShadingFunction may
- * be chained (agaa/functions.h). */
+/* Describes a view. An AgaaGBufferFunction or AgaaFetchFunction, an AgaaShadowFunction, an AgaaShadingFunction
+ * (agaa/functions.h) and an AgaaResolvedOutputs (agaa/outputs.h) may be chained. */
 typedef struct AgaaViewDesc {
     uint32_t sType;
     uint32_t structSize;

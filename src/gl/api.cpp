@@ -107,7 +107,8 @@ AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame, co
     return guarded(logOf(view), "agaaGlRecordFrame", [&]() -> AgaaResult {
         requireBackend(view, Backend::OpenGL);
         return static_cast<gl::View*>(view->current)
-            ->record(readStruct(frame, {AGAA_STRUCTURE_TYPE_TEMPORAL_FRAME}), readStruct(glFrame));
+            ->record(readStruct(frame, {AGAA_STRUCTURE_TYPE_TEMPORAL_FRAME}),
+                     readStruct(glFrame, {AGAA_STRUCTURE_TYPE_GL_RESOLVED_TEXTURES}));
     });
 }
 

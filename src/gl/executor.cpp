@@ -8,7 +8,9 @@
 #include "gl/output_view.h"
 
 #include <algorithm>
+#include <list>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace agaa::gl {
@@ -143,7 +145,7 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
         const Resource& resource = plan.resources[binding.resource];
         const bool output = resource.kind == ResourceKind::Output;
         const GLuint point = bindingPointOf(binding.slot);
-        const GLuint texture = output ? glFrame.outputTexture : (*resources)[binding.resource].texture;
+        const GLuint texture = output ? outputs_[resource.hostSlot].texture : (*resources)[binding.resource].texture;
         switch (binding.type) {
         case BindingType::UniformBuffer:
             gl.BindBufferBase(GL_UNIFORM_BUFFER, point, resources->buffer(binding.resource, slot));
@@ -153,7 +155,7 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
             break;
         case BindingType::StorageImage:
             gl.BindImageTexture(point, texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
-                                output ? outputFormat_ : internalFormat(resource.format));
+                                output ? outputs_[resource.hostSlot].format : internalFormat(resource.format));
             break;
         case BindingType::Texture:
             gl.BindTextureUnit(point, texture);
@@ -185,10 +187,13 @@ void View::runTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot) {
                                   GLsizeiptr(plan.bytesOf(pass.copy())));
 }
 
-static bool usesOutput(const Plan& plan, const Pass& pass) {
-    return std::any_of(pass.bindings.begin(), pass.bindings.end(), [&](const Binding& binding) {
-        return plan.resources[binding.resource].kind == ResourceKind::Output;
-    });
+// Returns the textures of the host that the pass uses, each once.
+static std::set<GLuint> outputsOf(const Plan& plan, const Pass& pass, std::span<const OutputTexture> outputs) {
+    std::set<GLuint> textures;
+    for (const Binding& binding : pass.bindings)
+        if (plan.resources[binding.resource].kind == ResourceKind::Output)
+            textures.insert(outputs[plan.resources[binding.resource].hostSlot].texture);
+    return textures;
 }
 
 void View::dispatch(const Dispatch& dispatch, FrameExtent extent, uint32_t slot) {
@@ -219,9 +224,9 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         runHostDraw(frame, glFrame, step, slot, state);
         break;
     case PassKind::Compute: {
-        std::optional<OutputView> output;
-        if (usesOutput(plan, pass))
-            output.emplace(gl, glFrame.outputTexture);
+        std::list<OutputView> views;
+        for (const GLuint texture : outputsOf(plan, pass, outputs_))
+            views.emplace_back(gl, texture);
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.emptyFramebuffer);
         gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
@@ -313,7 +318,7 @@ AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
     context.requireAlive();
     try {
         checkContextState();
-        outputFormat_ = checkTarget(frame, glFrame, isPlaced);
+        checkTarget(frame, glFrame, isPlaced);
     } catch (...) {
         context.requireAlive(); // queries of a context that was lost meanwhile leave values of a wrong object
         throw;

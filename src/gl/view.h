@@ -6,10 +6,17 @@
 #include "gl/resources.h"
 #include "gl/store_barriers.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace agaa::gl {
+
+// A texture of the host that a frame writes.
+struct OutputTexture {
+    GLuint texture = 0;
+    GLenum format = GL_NONE;
+};
 
 class View : public ViewState {
 public:
@@ -46,8 +53,9 @@ private:
     void destroy();
 
     void checkContextState() const;
-    // Returns the output's format, or GL_NONE if the frame does not shade.
-    GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame, bool isPlaced) const;
+    // Sets outputs_ if the frame shades.
+    void checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame, bool isPlaced);
+    void checkResolved(const AgaaGlFrame& glFrame, uint64_t right, uint64_t top);
     std::byte* beginUpload(ResourceId buffer, uint32_t slot) override;
     void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) override;
     void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
@@ -67,8 +75,8 @@ private:
     GLuint shadowTexture(const Resource& map, const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void runTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot);
 
-    GLenum outputFormat_ = GL_NONE;
-    std::vector<std::byte> upload_; // as large as the largest upload buffer
+    std::array<OutputTexture, 1 + AGAA_MAX_RESOLVED_OUTPUTS> outputs_{}; // of the frame, by Resource::hostSlot
+    std::vector<std::byte> upload_;                                      // as large as the largest upload buffer
 };
 
 } // namespace agaa::gl

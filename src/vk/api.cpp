@@ -66,7 +66,8 @@ AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame, co
     return guarded(logOf(view), "agaaVkRecordFrame", [&]() -> AgaaResult {
         requireBackend(view, Backend::Vulkan);
         return static_cast<vk::View*>(view->current)
-            ->record(readStruct(frame, {AGAA_STRUCTURE_TYPE_TEMPORAL_FRAME}), readStruct(vkFrame));
+            ->record(readStruct(frame, {AGAA_STRUCTURE_TYPE_TEMPORAL_FRAME}),
+                     readStruct(vkFrame, {AGAA_STRUCTURE_TYPE_VK_RESOLVED_IMAGES}));
     });
 }
 

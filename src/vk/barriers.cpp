@@ -58,7 +58,7 @@ public:
     // Adds the barriers that an access needs.
     void use(ResourceId id, const VkAccess& access);
     void usePass(const Pass& pass);
-    void useOutput(const Step& step);
+    void useOutputs(const Step& step);
     StepBarriers take() { return std::exchange(next_, {}); }
 
 private:
@@ -166,11 +166,12 @@ OutputAccess accessIn(VkImageLayout layout) {
     }
 }
 
-// Each use of the output waits for the host's use or for that of an earlier step.
-void Tracker::useOutput(const Step& step) {
+// Each use of an output waits for the host's use or for that of an earlier step.
+void Tracker::useOutputs(const Step& step) {
     for (const Binding& binding : plan_.passes[step.pass].bindings) {
         const Resource& resource = plan_.resources[binding.resource];
-        if (resource.kind != ResourceKind::Output)
+        const auto isSame = [&](const StepBarriers::Output& used) { return used.hostSlot == resource.hostSlot; };
+        if (resource.kind != ResourceKind::Output || std::ranges::any_of(next_.outputs, isSame))
             continue;
         VkImageMemoryBarrier barrier = outputBarrier();
         barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
@@ -178,10 +179,8 @@ void Tracker::useOutput(const Step& step) {
         next_.source |= VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
         next_.destination |= VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
         next_.images.push_back(barrier);
-        next_.usesOutput = true;
-        next_.beginsOutput = step.pass == resource.firstPass && step.isFirst;
-        next_.endsOutput = step.pass == resource.lastPass && step.isLast;
-        return;
+        next_.outputs.push_back({resource.hostSlot, step.pass == resource.firstPass && step.isFirst,
+                                 step.pass == resource.lastPass && step.isLast});
     }
 }
 
@@ -197,34 +196,47 @@ std::vector<StepBarriers> stepBarriers(const Plan& plan, const std::vector<Step>
         // This follows the pass's own accesses, so that later steps also wait for the read of the predicate.
         if (readsPredicates && step.hasPredicate())
             tracker.use(step.predicateBuffer, vkAccess(plan, {step.predicateBuffer, Use::Condition, false}));
-        tracker.useOutput(step);
+        tracker.useOutputs(step);
         list.push_back(tracker.take());
     }
     return list;
 }
 
-void recordBarriers(const DeviceTable& vk, VkCommandBuffer commands, StepBarriers& barriers, const AgaaVkFrame& frame) {
+void recordBarriers(const DeviceTable& vk, VkCommandBuffer commands, StepBarriers& barriers,
+                    const OutputImages& outputs) {
     if (barriers.images.empty() && barriers.memory.empty())
         return;
-    if (barriers.usesOutput)
-        barriers.images.back().image = (VkImage)frame.outputImage;
-    if (barriers.beginsOutput) {
-        barriers.images.back().oldLayout = VkImageLayout(frame.outputLayoutIn);
-        barriers.images.back().srcAccessMask = accessIn(VkImageLayout(frame.outputLayoutIn)).writes;
+    size_t at = barriers.images.size() - barriers.outputs.size();
+    for (const StepBarriers::Output& used : barriers.outputs) {
+        VkImageMemoryBarrier& barrier = barriers.images[at++];
+        const OutputImage& output = outputs[used.hostSlot];
+        barrier.image = output.image;
+        if (used.begins) {
+            barrier.oldLayout = output.layoutIn;
+            barrier.srcAccessMask = accessIn(output.layoutIn).writes;
+        }
     }
     vk.CmdPipelineBarrier(commands, barriers.source, barriers.destination, 0, uint32_t(barriers.memory.size()),
                           barriers.memory.data(), 0, nullptr, uint32_t(barriers.images.size()), barriers.images.data());
 }
 
-void releaseOutput(const DeviceTable& vk, VkCommandBuffer commands, const AgaaVkFrame& frame) {
-    VkImageMemoryBarrier barrier = outputBarrier();
-    barrier.image = (VkImage)frame.outputImage;
-    barrier.newLayout = VkImageLayout(frame.outputLayoutOut);
-    barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-    const OutputAccess later = accessIn(barrier.newLayout);
-    barrier.dstAccessMask = later.reads | later.writes;
-    vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
-                          nullptr, 0, nullptr, 1, &barrier);
+void releaseOutputs(const DeviceTable& vk, VkCommandBuffer commands, const StepBarriers& barriers,
+                    const OutputImages& outputs) {
+    std::array<VkImageMemoryBarrier, std::tuple_size_v<OutputImages>> released;
+    uint32_t count = 0;
+    for (const StepBarriers::Output& used : barriers.outputs) {
+        if (!used.ends)
+            continue;
+        VkImageMemoryBarrier& barrier = released[count++] = outputBarrier();
+        barrier.image = outputs[used.hostSlot].image;
+        barrier.newLayout = outputs[used.hostSlot].layoutOut;
+        barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+        const OutputAccess later = accessIn(barrier.newLayout);
+        barrier.dstAccessMask = later.reads | later.writes;
+    }
+    if (count)
+        vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                              nullptr, 0, nullptr, count, released.data());
 }
 
 } // namespace agaa::vk

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/plan/access.h"
+#include "vk/output_images.h"
 #include "vk/resources.h"
 
 #include <vector>
@@ -25,9 +26,13 @@ struct StepBarriers {
     VkPipelineStageFlags destination = 0;
     std::vector<VkMemoryBarrier> memory;
     std::vector<VkImageMemoryBarrier> images;
-    bool usesOutput = false;   // the last image barrier is that of the host's output
-    bool beginsOutput = false; // from AgaaVkFrame::outputLayoutIn
-    bool endsOutput = false;   // no later step uses the output
+    // The last image barriers are those of images of the host, in this order.
+    struct Output {
+        uint32_t hostSlot = 0;
+        bool begins = false; // from the host's layout
+        bool ends = false;   // no later step uses the image
+    };
+    std::vector<Output> outputs;
 };
 
 // Returns the barriers of each step. Multiple calls may record the steps of one frame. The first use of a resource in a
@@ -36,9 +41,11 @@ struct StepBarriers {
 std::vector<StepBarriers> stepBarriers(const Plan& plan, const std::vector<Step>& steps, const ViewResources& resources,
                                        bool readsPredicates);
 
-// Records the barriers of a step as one command, with the output of this frame.
-void recordBarriers(const DeviceTable& vk, VkCommandBuffer commands, StepBarriers& barriers, const AgaaVkFrame& frame);
-// Records the transition of the output to AgaaVkFrame::outputLayoutOut.
-void releaseOutput(const DeviceTable& vk, VkCommandBuffer commands, const AgaaVkFrame& frame);
+// Records the barriers of a step as one command, with the outputs of this frame.
+void recordBarriers(const DeviceTable& vk, VkCommandBuffer commands, StepBarriers& barriers,
+                    const OutputImages& outputs);
+// Records the transitions of the outputs that the step used last, to the layouts in which the host wants them.
+void releaseOutputs(const DeviceTable& vk, VkCommandBuffer commands, const StepBarriers& barriers,
+                    const OutputImages& outputs);
 
 } // namespace agaa::vk

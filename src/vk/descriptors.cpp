@@ -106,7 +106,7 @@ void View::writeImportedDescriptors(const AgaaFrame& frame, const AgaaVkFrame& v
             if (resource.kind == ResourceKind::Output) {
                 const bool isFetched = binding.type == BindingType::Texture;
                 bindImage(context, passes[i].sets[slot], binding, isFetched ? context.texelSampler : VK_NULL_HANDLE,
-                          (VkImageView)vkFrame.outputView, VK_IMAGE_LAYOUT_GENERAL);
+                          outputs_[resource.hostSlot].view, VK_IMAGE_LAYOUT_GENERAL);
             } else if (resource.kind == ResourceKind::ShadowMap) {
                 // Views beyond the frame's shadow count may be stale.
                 const uint64_t view =

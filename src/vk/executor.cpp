@@ -8,18 +8,14 @@
 
 namespace agaa::vk {
 
-void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const {
+void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
     require(vkFrame.commandBuffer, AGAA_ERROR_INVALID_ARGUMENT, "AgaaVkFrame::commandBuffer is null.");
     for (const Pass& pass : plan.passes)
         require(!(frame.segments & pass.segment) || !usesHostSet(pass) || vkFrame.functionSet,
                 AGAA_ERROR_INVALID_ARGUMENT, "AgaaVkFrame::functionSet is null.");
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return;
-    require(vkFrame.outputImage && vkFrame.outputView, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaVkFrame has no output image or view.");
-    require(vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_UNDEFINED &&
-                vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_PREINITIALIZED,
-            AGAA_ERROR_OUT_OF_RANGE, "AgaaVkFrame::outputLayoutOut is not a layout to be left in.");
+    outputs_ = outputImages(plan, vkFrame);
     checkComposite(frame, plan);
     require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over an output whose contents outputLayoutIn throws away.");
@@ -178,7 +174,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
         vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
     }
     StepBarriers& before = barriers[number];
-    recordBarriers(vk, commands, before, vkFrame);
+    recordBarriers(vk, commands, before, outputs_);
     const uint32_t query = uint32_t(2 * (slot * steps.size() + number));
     if (queries)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query);
@@ -205,8 +201,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     }
     if (queries)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query + 1);
-    if (before.endsOutput)
-        releaseOutput(vk, commands, vkFrame);
+    releaseOutputs(vk, commands, before, outputs_);
     if (vk.CmdEndDebugUtilsLabelEXT)
         vk.CmdEndDebugUtilsLabelEXT(commands);
     if (result != AGAA_OK)

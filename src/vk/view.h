@@ -59,7 +59,7 @@ private:
     Compiled compile(const Pass& pass, size_t index) override;
     void createSlots();
     void destroy();
-    void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const;
+    void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame); // sets outputs_
     std::byte* beginUpload(ResourceId buffer, uint32_t slot) override;
     void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) override;
     void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
@@ -86,6 +86,7 @@ private:
     bool usesHostSet(const Pass& pass) const; // the host provides set 1
     bool timed() const;
 
+    OutputImages outputs_;   // of the frame that is recorded
     uint64_t clearedIn_ = 0; // index of the frame that cleared persistent buffers; 0: none
     bool isCleared_ = false; // the device executed that frame
 };

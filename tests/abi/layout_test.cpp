@@ -31,6 +31,8 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaFetchFunction, 64);
     EXPECT_SIZE(AgaaShadowFunction, 48);
     EXPECT_SIZE(AgaaShadingFunction, 48);
+    EXPECT_SIZE(AgaaResolvedOutput, 16);
+    EXPECT_SIZE(AgaaResolvedOutputs, 120);
     EXPECT_SIZE(AgaaDeviceCaps, 304);
     EXPECT_SIZE(AgaaCapability, 304);
     EXPECT_SIZE(AgaaSurface, 144);
@@ -50,12 +52,14 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaVkDrawPass, 72);
     EXPECT_SIZE(AgaaVkSurface, 56);
     EXPECT_SIZE(AgaaVkFrame, 88);
+    EXPECT_SIZE(AgaaVkResolvedImages, 160);
     EXPECT_SIZE(AgaaGlRequirements, 56);
     EXPECT_SIZE(AgaaGlDeviceDesc, 144);
     EXPECT_SIZE(AgaaGlDrawPass, 56);
     EXPECT_SIZE(AgaaGlSurface, 32);
     EXPECT_SIZE(AgaaGlFrame, 40);
     EXPECT_SIZE(AgaaGlProgramCache, 32);
+    EXPECT_SIZE(AgaaGlResolvedTextures, 48);
     EXPECT_SIZE(AgaaStructHeader, 16);
     EXPECT_SIZE(AgaaDrawState, 64);
     EXPECT_SIZE(AgaaGlslResource, 96);

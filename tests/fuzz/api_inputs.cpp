@@ -154,6 +154,17 @@ const void* anyFunctions(Choices& choices, Memory& memory, uint32_t samples, uin
         value.glslExtensions = anyExtensions(choices, memory);
         chain = memory.copy(value, 0, 0, 1);
     }
+    if (choices.oneIn(6)) {
+        AgaaResolvedOutputs value = AGAA_RESOLVED_OUTPUTS_INIT;
+        value.pNext = chain;
+        value.count = choices.oneIn(8) ? choices.word() : 1 + choices.below(AGAA_MAX_RESOLVED_OUTPUTS);
+        for (AgaaResolvedOutput& output : value.outputs) {
+            output.value = choices.oneIn(16) ? choices.word() : 1 + choices.below(5);
+            if (output.value == AGAA_RESOLVED_CUSTOM || choices.oneIn(16))
+                output.attribute = memory.text(choices.oneIn(4) ? "no" : "velocity");
+        }
+        chain = memory.copy(value, 0, 0, 1);
+    }
     return chain;
 }
 

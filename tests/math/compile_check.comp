@@ -21,6 +21,7 @@
 #include "../../src/shaders/math/surface_resolve.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/hdr_weight.glsl"
+#include "../../src/shaders/math/pixel_sums.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/ndf.glsl"
@@ -86,7 +87,8 @@ void main() {
     acc.x += agaa_momentsVariance(m) + agaa_normalMetric(x.y) +
              agaa_depthTap(id, x.x, x.y, x.z, x.w);
     const float z = agaa_viewZFromDepth(x.x, x.y, x.z, bad);
-    acc.z += agaa_depthQuantum(z, x.x, x.y, x.z, bad, 1e-6);
+    acc.z += agaa_depthQuantum(z, x.x, x.y, x.z, bad, 1e-6) + agaa_depthOfViewZ(z, x.x, x.y, bad);
+    acc.x += agaa_meanOfTerms(agaa_sumTerm(x.x), 3u) + agaa_meanOfDepthTerms(agaa_depthSumTerm(x.y), 3u);
     acc.z += agaa_characteristicLength(x.x, x.y, agaa_scaleDistance(z, x.z, bad));
     acc += agaa_viewPosition(x.xy, z, x.x, x.y, x.z, x.w, bad);
     agaa_Surface s;

@@ -19,6 +19,7 @@
 #undef AGAA_MATH_HULL_ROWS_GLSL
 #undef AGAA_MATH_DISPLAY_GLSL
 #undef AGAA_MATH_HDR_WEIGHT_GLSL
+#undef AGAA_MATH_PIXEL_SUMS_GLSL
 #undef AGAA_MATH_ENCODING_GLSL
 #undef AGAA_MATH_METADATA_GLSL
 #undef AGAA_MATH_NDF_GLSL
@@ -55,6 +56,7 @@
 #include "../../src/shaders/math/hull_rows.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/hdr_weight.glsl"
+#include "../../src/shaders/math/pixel_sums.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/sbaa_records.glsl"

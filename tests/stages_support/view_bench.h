@@ -25,7 +25,8 @@ public:
         else
             own_->setTriangles(triangles);
     }
-    bool keepsOutput = false; // a frame begins with the output of the one before
+    std::function<void(typename Host::Frame&)> change; // what frames have besides; may be empty
+    bool keepsOutput = false;                          // a frame begins with the output of the one before
     // Renders the next frame and returns its pixels.
     std::vector<float> rgb() {
         AgaaFrame frame = view().frame();
@@ -40,6 +41,8 @@ public:
                 if (keepsOutput && hasOutput_)
                     native.outputLayoutIn = native.outputLayoutOut;
             hasOutput_ = true;
+            if (change)
+                change(native);
             EXPECT_EQ(Host::recordFrame(view().get(), &frame, &native), AGAA_OK);
         });
         return withoutAlpha(Host::rgba(view()));

@@ -47,6 +47,7 @@ public:
     ~OpenGlDevice() override {
         glDeleteTextures(1, &output_);
         glDeleteTextures(1, &shadow_);
+        glDeleteTextures(GLsizei(resolved_.size()), resolved_.data());
         glDeleteVertexArrays(1, &vertexArray_);
         glDeleteVertexArrays(1, &pullingArray_);
     }
@@ -134,6 +135,23 @@ public:
         return pixels;
     }
 
+    void setResolvedOutputs(uint32_t count) override {
+        glDeleteTextures(GLsizei(resolved_.size()), resolved_.data());
+        resolved_.assign(count, 0);
+        resolvedTextures_ = AGAA_GL_RESOLVED_TEXTURES_INIT;
+        glCreateTextures(GL_TEXTURE_2D, GLsizei(count), resolved_.data());
+        for (uint32_t i = 0; i < count; ++i) {
+            glTextureStorage2D(resolved_[i], 1, outputFormat, GLsizei(width_), GLsizei(height_));
+            resolvedTextures_.textures[i] = resolved_[i];
+        }
+    }
+
+    std::vector<float> readResolvedOutput(uint32_t i) override {
+        std::vector<float> pixels(size_t(width_) * height_ * 4);
+        glGetTextureImage(resolved_.at(i), 0, GL_RGBA, GL_FLOAT, GLsizei(pixels.size() * sizeof(float)), pixels.data());
+        return pixels;
+    }
+
     void setShadowDepth(float depth) override {
         if (!shadow_) {
             glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &shadow_);
@@ -165,6 +183,8 @@ private:
     OpenGlApi api_;
     OpenGlPrograms programs_;
     GLuint vertexArray_ = 0, pullingArray_ = 0, output_ = 0, shadow_ = 0;
+    std::vector<GLuint> resolved_;
+    AgaaGlResolvedTextures resolvedTextures_ = AGAA_GL_RESOLVED_TEXTURES_INIT;
     uint32_t width_ = 0, height_ = 0; // size of the output
     std::map<AgaaContext, ShaderDialect> dialectOfContext_;
     std::map<AgaaView, ShaderDialect> dialectOfView_;
@@ -191,6 +211,8 @@ AgaaResult OpenGlDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& 
     native.outputTexture = output_;
     for (uint32_t& map : native.shadowTextures)
         map = shadow_;
+    if (!resolved_.empty())
+        native.pNext = &resolvedTextures_;
     if (changeGlFrame)
         changeGlFrame(native);
     const AgaaResult result = sdk.agaaGlRecordFrame(view, &frame, &native);

@@ -97,15 +97,8 @@ public:
     }
 
     void setOutput(uint32_t width, uint32_t height) override {
-        if (!output_ || output_->width != width || output_->height != height) {
-            output_ =
-                std::make_unique<VulkanImage>(api_, width, height, 1, outputFormat,
-                                              VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                                                  VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                                              VK_IMAGE_VIEW_TYPE_2D);
-            imageBarrier(commands_.begin(), *output_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
-            commands_.submit();
-        }
+        if (!output_ || output_->width != width || output_->height != height)
+            output_ = makeOutput(width, height);
         fillOutput(0.0f);
     }
 
@@ -117,22 +110,20 @@ public:
         commands_.submit();
     }
 
-    std::vector<float> readOutput() override {
-        std::vector<float> pixels(size_t(output_->width) * output_->height * 4);
-        const VulkanBuffer buffer(api_, pixels.size() * sizeof(float), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
-        VkBufferImageCopy region{};
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.imageExtent = {output_->width, output_->height, 1};
-        const VkCommandBuffer commands = commands_.begin();
-        imageBarrier(commands, *output_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-        vkCmdCopyImageToBuffer(commands, output_->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer, 1,
-                               &region);
-        imageBarrier(commands, *output_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_GENERAL);
-        allBarrier(commands);
-        commands_.submit();
-        std::memcpy(pixels.data(), buffer.mapped, pixels.size() * sizeof(float));
-        return pixels;
+    std::vector<float> readOutput() override { return readImage(*output_); }
+
+    void setResolvedOutputs(uint32_t count) override {
+        resolved_.clear();
+        resolvedImages_ = AGAA_VK_RESOLVED_IMAGES_INIT;
+        for (uint32_t i = 0; i < count; ++i) {
+            resolved_.push_back(makeOutput(output_->width, output_->height));
+            resolvedImages_.images[i] = (uint64_t)resolved_[i]->image;
+            resolvedImages_.views[i] = (uint64_t)resolved_[i]->view;
+            resolvedImages_.layoutsIn[i] = resolvedImages_.layoutsOut[i] = VK_IMAGE_LAYOUT_GENERAL;
+        }
     }
+
+    std::vector<float> readResolvedOutput(uint32_t i) override { return readImage(*resolved_.at(i)); }
 
     void setShadowDepth(float depth) override {
         shadow_ = std::make_unique<VulkanImage>(api_, 4, 4, AGAA_MAX_SHADOW_LAYERS, VK_FORMAT_D32_SFLOAT,
@@ -152,6 +143,33 @@ public:
     AgaaResult draw(const AgaaDrawTarget& target) override;
 
 private:
+    std::unique_ptr<VulkanImage> makeOutput(uint32_t width, uint32_t height) {
+        auto image =
+            std::make_unique<VulkanImage>(api_, width, height, 1, outputFormat,
+                                          VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                              VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                          VK_IMAGE_VIEW_TYPE_2D);
+        imageBarrier(commands_.begin(), *image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+        commands_.submit();
+        return image;
+    }
+
+    std::vector<float> readImage(const VulkanImage& image) {
+        std::vector<float> pixels(size_t(image.width) * image.height * 4);
+        const VulkanBuffer buffer(api_, pixels.size() * sizeof(float), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageExtent = {image.width, image.height, 1};
+        const VkCommandBuffer commands = commands_.begin();
+        imageBarrier(commands, image, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+        vkCmdCopyImageToBuffer(commands, image.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer, 1, &region);
+        imageBarrier(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_GENERAL);
+        allBarrier(commands);
+        commands_.submit();
+        std::memcpy(pixels.data(), buffer.mapped, pixels.size() * sizeof(float));
+        return pixels;
+    }
+
     void clearOutput(VkCommandBuffer commands, float value) const {
         const VkClearColorValue color = {{value, value, value, value}};
         const VkImageSubresourceRange range = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
@@ -180,6 +198,8 @@ private:
     VulkanCommands commands_;
     VulkanFunctionSet functionSet_;
     std::unique_ptr<VulkanImage> output_, shadow_;
+    std::vector<std::unique_ptr<VulkanImage>> resolved_;
+    AgaaVkResolvedImages resolvedImages_ = AGAA_VK_RESOLVED_IMAGES_INIT;
     std::map<AgaaContext, uint32_t> setOfContext_;
     std::map<AgaaView, uint32_t> setOfView_;
     std::map<std::pair<uint64_t, uint32_t>, VkDescriptorSet> firstSets_;
@@ -215,6 +235,8 @@ AgaaResult VulkanDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& 
     for (uint64_t& map : native.shadowViews)
         map = (uint64_t)shadow_->view;
     native.functionSet = (uint64_t)functionSet_.set;
+    if (!resolved_.empty())
+        native.pNext = &resolvedImages_;
     if (changeVkFrame)
         changeVkFrame(native);
     const AgaaResult result = sdk.agaaVkRecordFrame(view, &frame, &native);

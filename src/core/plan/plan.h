@@ -48,7 +48,7 @@ enum class ResourceKind {
     SmallBuffer,    // device local; its size does not depend on the target
     UploadBuffer,   // written by the CPU, one per frame in flight
     ReadbackBuffer, // read by the CPU, one per frame in flight
-    Output,         // the host's image
+    Output,         // images of the host that the frame writes
     ShadowMap,      // the host's, sampled with comparison
 };
 
@@ -68,7 +68,8 @@ struct Resource {
     uint32_t layers = 1;
     uint64_t bytes = 0;     // payload of one copy
     uint32_t copies = 1;    // frames in flight, for uploads and read-back
-    uint32_t hostSlot = 0;  // ShadowMap: index among the frame's shadows
+    // ShadowMap: index among the frame's shadows. Output: 0 is the image; 1 and more are resolved outputs.
+    uint32_t hostSlot = 0;
     uint32_t firstPass = 0; // lifetime, by index into Plan::passes
     uint32_t lastPass = 0;
     uint64_t segments = 0;     // of all passes that use it

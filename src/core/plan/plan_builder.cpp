@@ -324,6 +324,14 @@ ResourceId PlanBuilder::output() {
     return output_;
 }
 
+ResourceId PlanBuilder::resolvedOutput(uint32_t index) {
+    return add({.name = format("resolved-output-%u", index),
+                .kind = ResourceKind::Output,
+                .width = plan.view.width,
+                .height = plan.view.height,
+                .hostSlot = index + 1});
+}
+
 ResourceId PlanBuilder::techniqueImage() {
     if (!plan.view.accumulates())
         return output();

@@ -71,7 +71,8 @@ public:
     void bindHostGBuffer(Pass& pass);
     // Compiles the pass with the host's functions that fetch materials.
     void bindHostFetch(Pass& pass);
-    ResourceId output(); // the host's image
+    ResourceId output();                       // the host's image
+    ResourceId resolvedOutput(uint32_t index); // the host's image for a value of AgaaResolvedOutputs
     // Returns the image that the technique's passes complete: the output, or one that is accumulated.
     ResourceId techniqueImage();
     // Binds the image that agaa_writeOutput() writes, by default techniqueImage(), and with AGAA_VIEW_COMPOSITE the
@@ -82,7 +83,7 @@ public:
     CopyPart& copy(const std::string& name, ResourceId source, ResourceId destination, uint64_t segment);
     // Adds Plan::listCounts, in the segment of the last pass.
     void readListCounts(ResourceId lists);
-    void effect(const char* name) { plan.effects.push_back(name); }
+    void effect(const char* name) { plan.effects.emplace_back(name); }
     void note(std::string text) { plan.notes.push_back(std::move(text)); }
 
     Plan plan;
@@ -92,6 +93,10 @@ public:
     // Depths and ids of samples, which compute passes found; noResource: the host's draw wrote images.
     ResourceId visibleSamples = noResource;
     std::vector<ResourceId> sceneAttachments;
+    // Binds the materials of samples to a pass that reads them (src/shaders/gbuffer/gbuffer.glsl). Empty: the technique
+    // keeps none.
+    std::function<void(Pass&)> bindSceneSamples;
+    ResourceId resolvedSums = noResource; // of shading events (core/plan/resolved_outputs.h)
 
 private:
     bool isSwitchedOn(Switch which) const;

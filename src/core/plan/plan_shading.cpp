@@ -2,6 +2,7 @@
 #include "core/plan/plan_builder.h"
 
 #include "core/base/error.h"
+#include "core/plan/resolved_outputs.h"
 #include "core/view/custom_glsl.h"
 #include "core/view/shading_glsl.h"
 
@@ -52,6 +53,7 @@ void PlanBuilder::bindLighting(Pass& pass) {
         if (defines.find("#define AGAA_CUSTOM_MEMBERS") == std::string::npos) // of other functions of the host
             defines += customGlsl(plan.view.layout);
     }
+    sumEvents(*this, pass);
     if (plan.effects.empty())
         listEffects(plan.view.layout.foldsRoughness() && !host && pass.compute().shadesAggregates);
 }

@@ -1,6 +1,7 @@
 #include "core/plan/planner.h"
 
 #include "core/plan/plan_builder.h"
+#include "core/plan/resolved_outputs.h"
 #include "core/plan/techniques/accumulation.h"
 #include "core/view/resolved_view.h"
 
@@ -26,6 +27,7 @@ Plan makePlan(const ViewSettings& settings, const AgaaDeviceCaps& caps, uint32_t
     if (builder.plan.runnable) {
         if (builder.view().accumulates())
             accumulateFrames(builder);
+        resolveOutputs(builder);
         builder.copyCounters();
     }
     return builder.finish();

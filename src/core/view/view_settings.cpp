@@ -81,7 +81,8 @@ static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint3
 static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
     const AgaaViewDesc desc =
         readStruct(pointer, {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION,
-                             AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, AGAA_STRUCTURE_TYPE_SHADING_FUNCTION});
+                             AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, AGAA_STRUCTURE_TYPE_SHADING_FUNCTION,
+                             AGAA_STRUCTURE_TYPE_RESOLVED_OUTPUTS});
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
     checkFlags(desc.flags,
@@ -268,6 +269,7 @@ ViewSettings resolveView(const AgaaViewDesc* pointer, TechniqueTable table) {
     view.layout = checkLayout(view.config.layout);
     if (view.shadingFunction)
         checkNamesOfCustoms(view.layout);
+    view.resolvedOutputs = readResolvedOutputs(desc, view.layout);
     view.config.layout = nullptr; // the host's pointer does not outlive the call
     if (technique.maxAggregates && view.config.aggregates > technique.maxAggregates)
         fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::aggregates is %u; \"%s\" takes %u at most.",

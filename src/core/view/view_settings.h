@@ -4,6 +4,7 @@
 
 #include "agaa_sdk.h"
 #include "core/view/layout.h"
+#include "core/view/resolved_outputs.h"
 #include "core/view/technique.h"
 
 #include <optional>
@@ -52,6 +53,7 @@ struct ViewSettings {
     uint32_t primitiveBits = 0;               // low bits of an id that number the primitive
     bool someUnfetched = false;               // draws that cannot be fetched go into a G-buffer
     HostText fetchFunction;
+    std::vector<ResolvedOutput> resolvedOutputs;
     uint64_t functionSetLayout = 0; // of set 1 in passes with GLSL of the host
 };
 

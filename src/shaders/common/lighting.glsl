@@ -10,6 +10,7 @@
 #include "math/brdf.glsl"
 #include "math/light.glsl"
 #include "math/ndf.glsl"
+#include "math/ordered_bits.glsl" // of tile_lights.glsl and resolve_event.glsl
 
 #include "common/lights.glsl"
 #include "common/scene_facts.glsl"
@@ -96,7 +97,8 @@ void agaa_setSpread(float spread, vec3 position) {
     agaa_positionSpread = min(spread, width * width);
 }
 
-#ifdef AGAA_HOST_SHADING
+#if defined(AGAA_HOST_SHADING) || defined(AGAA_RESOLVES_EVENTS)
+#define AGAA_DESCRIBES_EVENTS
 struct agaa_Event {
     uvec2 pixel;
     uvec4 samples;
@@ -104,9 +106,9 @@ struct agaa_Event {
 } agaa_event; // that is shaded
 #endif
 
-// Sets what shading functions of the host are told. samples: that the event represents, bits as in AgaaSurface.
+// Describes the event to shading functions of the host and to resolved outputs. samples: that the event represents, bits as in AgaaSurface.
 void agaa_setEvent(uvec2 pixel, uvec4 samples) {
-#ifdef AGAA_HOST_SHADING
+#ifdef AGAA_DESCRIBES_EVENTS
     ivec4 counts = bitCount(samples);
     agaa_event = agaa_Event(pixel, samples, float(counts.x + counts.y + counts.z + counts.w) / float(AGAA_SAMPLES));
 #endif

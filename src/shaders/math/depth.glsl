@@ -30,6 +30,12 @@ real agaa_viewZFromDepth(real d, real p22, real p32, uint orthographic) {
     return clamp(z, -agaa_maxViewDistance(), agaa_maxViewDistance());
 }
 
+// Returns the depth at a view z, [0, 1]: the inverse of agaa_viewZFromDepth().
+real agaa_depthOfViewZ(real z, real p22, real p32, uint orthographic) {
+    const real depth = orthographic != 0u ? p22 * z + p32 : -p22 - p32 / min(z, -real(1e-25));
+    return clamp(depth, real(0.0), real(1.0));
+}
+
 // Returns the step in view z of one step `quantum` of the depth buffer at depth d, |dz/dd| * quantum. The quantum is
 // 2^-24 for a 24-bit format, and the spacing of floats at d for a float format.
 real agaa_depthQuantum(real z, real d, real p22, real p32, uint orthographic, real quantum) {

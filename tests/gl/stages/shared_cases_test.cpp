@@ -19,6 +19,7 @@
 #include "hair_cases.h"
 #include "hard_geometry_cases.h"
 #include "hdr_resolve_cases.h"
+#include "resolved_output_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "interlock_cases.h"
@@ -58,6 +59,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, MaskCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FramePlaceCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HdrResolveCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ResolvedOutputCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, AdaptiveCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FactsCases, OpenGLHost);

@@ -36,7 +36,34 @@ private:
     harness::gl::Buffer buffer_;
 };
 
+// Textures for AgaaResolvedOutputs.
+class ResolvedTextures {
+public:
+    ResolvedTextures(uint32_t width, uint32_t height, size_t count) : pixels_(size_t(width) * height) {
+        const GladGLContext& gl = sharedEgl().gl();
+        for (size_t i = 0; i < count; ++i) {
+            textures_.push_back(harness::gl::createTexture(gl, GL_TEXTURE_2D));
+            gl.TextureStorage2D(textures_.back().get(), 1, GL_RGBA32F, GLsizei(width), GLsizei(height));
+            chained_.textures[i] = textures_.back().get();
+        }
+    }
+    void chain(AgaaGlFrame& frame) const { frame.pNext = &chained_; }
+    std::vector<glm::vec3> read(size_t i) const {
+        std::vector<glm::vec3> texels(pixels_);
+        sharedEgl().gl().GetTextureImage(textures_.at(i).get(), 0, GL_RGB, GL_FLOAT,
+                                         GLsizei(pixels_ * sizeof(glm::vec3)), texels.data());
+        return texels;
+    }
+    AgaaGlResolvedTextures& chained() { return chained_; }
+
+private:
+    size_t pixels_;
+    std::vector<harness::gl::Texture> textures_;
+    AgaaGlResolvedTextures chained_ = AGAA_GL_RESOLVED_TEXTURES_INIT;
+};
+
 struct OpenGLHost {
+    using ResolvedImages = ResolvedTextures;
     using Context = StageContext;
     using View = StageView;
     using Options = OpenGLContextDesc;

@@ -19,6 +19,7 @@
 #include "hair_cases.h"
 #include "hard_geometry_cases.h"
 #include "hdr_resolve_cases.h"
+#include "resolved_output_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "interlock_cases.h"
@@ -60,6 +61,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, MaskCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FramePlaceCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HdrResolveCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ResolvedOutputCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, AdaptiveCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FactsCases, VulkanHost);

@@ -3,6 +3,9 @@
 
 #include "ids_view.h"
 
+#include <cstring>
+#include <deque>
+
 namespace agaa::test {
 
 // A storage buffer that a function of the host's reads.
@@ -19,7 +22,33 @@ private:
     StorageSet set_;
 };
 
+// Images for AgaaResolvedOutputs.
+class ResolvedImages {
+public:
+    ResolvedImages(uint32_t width, uint32_t height, size_t count) {
+        for (size_t i = 0; i < count; ++i) {
+            images_.emplace_back(sharedDevice(), width, height);
+            chained_.images[i] = (uint64_t)images_.back().image();
+            chained_.views[i] = (uint64_t)images_.back().view();
+            chained_.layoutsOut[i] = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+        }
+    }
+    void chain(AgaaVkFrame& frame) const { frame.pNext = &chained_; }
+    std::vector<glm::vec3> read(size_t i) const {
+        const std::vector<float> rgb = images_.at(i).read().rgb;
+        std::vector<glm::vec3> texels(rgb.size() / 3);
+        std::memcpy(texels.data(), rgb.data(), rgb.size() * sizeof(float));
+        return texels;
+    }
+    AgaaVkResolvedImages& chained() { return chained_; }
+
+private:
+    std::deque<harness::vk::OutputImage> images_;
+    AgaaVkResolvedImages chained_ = AGAA_VK_RESOLVED_IMAGES_INIT;
+};
+
 struct VulkanHost {
+    using ResolvedImages = test::ResolvedImages;
     using Context = StageContext;
     using View = StageView;
     using Options = HostOptions;

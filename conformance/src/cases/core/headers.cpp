@@ -136,6 +136,8 @@ std::vector<HeaderCase> inputs() {
                     [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).fetch); }),
         chainedCase("AgaaShadowFunction", linkView,
                     [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).shadow); }),
+        chainedCase("AgaaResolvedOutputs", linkView,
+                    [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).outputs); }),
         chainedCase("AgaaShadingFunction", linkView,
                     [](Test& test, void* structure) { copyMembers(structure, ViewParts(test.sdk, nullptr).shading); }),
         {"AgaaDeviceCaps", "agaaQueryMemory",

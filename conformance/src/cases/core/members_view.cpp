@@ -138,6 +138,38 @@ void addFunctions(Suite& suite) {
                       largeNumbers({}),
                       shadow,
                       {1}});
+    const auto outputs = [](ViewParts& p) { p.chain(p.outputs); };
+    addMember(suite, {"AgaaResolvedOutputs.count/range",
+                      "AgaaResolvedOutputs::count",
+                      [](ViewParts& p, double x) {
+                          p.outputs.count = whole(x);
+                          for (AgaaResolvedOutput& output : p.outputs.outputs)
+                              output.value = AGAA_RESOLVED_COVERAGE;
+                      },
+                      {1, 2, AGAA_MAX_RESOLVED_OUTPUTS},
+                      largeNumbers({0, AGAA_MAX_RESOLVED_OUTPUTS + 1}),
+                      outputs});
+    addMember(suite, {"AgaaResolvedOutputs.reserved/zero",
+                      "AgaaResolvedOutputs::reserved",
+                      [](ViewParts& p, double x) { p.outputs.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      outputs,
+                      {1}});
+    addMember(suite,
+              {"AgaaResolvedOutput.value/range",
+               "AgaaResolvedOutput::value",
+               [](ViewParts& p, double x) { p.outputs.outputs[0].value = whole(x); },
+               {AGAA_RESOLVED_NEAREST_DEPTH, AGAA_RESOLVED_MEAN_DEPTH, AGAA_RESOLVED_NORMAL, AGAA_RESOLVED_COVERAGE},
+               largeNumbers({0, AGAA_RESOLVED_CUSTOM + 1}),
+               outputs});
+    addMember(suite, {"AgaaResolvedOutput.reserved/zero",
+                      "AgaaResolvedOutput::reserved",
+                      [](ViewParts& p, double x) { p.outputs.outputs[0].reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      outputs,
+                      {1}});
     addMember(suite, {"AgaaShadingFunction.level/range",
                       "AgaaShadingFunction::level",
                       [](ViewParts& p, double x) { p.shading.level = whole(x); },

@@ -57,6 +57,7 @@ ViewParts::ViewParts(const Functions& sdk, const Device* device) : ViewDescripti
     sdk.agaaInitGBufferFunction(&gbuffer, sizeof gbuffer);
     sdk.agaaInitShadowFunction(&shadow, sizeof shadow);
     sdk.agaaInitShadingFunction(&shading, sizeof shading);
+    sdk.agaaInitResolvedOutputs(&outputs, sizeof outputs);
     sdk.agaaInitAggregation(&spare, sizeof spare);
     gbuffer.glsl = hostSample;
     fetch = emptyFetch();

@@ -14,6 +14,7 @@ struct ViewParts : ViewDescription {
     AgaaFetchFunction fetch;     // functions without a scene
     AgaaShadowFunction shadow;
     AgaaShadingFunction shading;
+    AgaaResolvedOutputs outputs; // the nearest depth
     AgaaDeviceCaps caps;   // an ideal device; devices do not read it
     AgaaAggregation spare; // second struct of its type in a chain
     bool isNull = false;   // the description is null

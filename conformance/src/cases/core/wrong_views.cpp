@@ -34,6 +34,26 @@ void addNulls(Rows& rows) {
                         p.chain(p.shadow);
                         p.shadow.glsl = nullptr;
                     }});
+    rows.push_back(
+        {"AgaaResolvedOutput::attribute = null for CUSTOM", AGAA_ERROR_INVALID_ARGUMENT, "attribute", [](ViewParts& p) {
+             p.chain(p.outputs);
+             p.outputs.outputs[0].value = AGAA_RESOLVED_CUSTOM;
+         }});
+    rows.push_back(
+        {"AgaaResolvedOutput::attribute for NORMAL", AGAA_ERROR_INVALID_ARGUMENT, "attribute", [](ViewParts& p) {
+             p.chain(p.outputs);
+             p.outputs.outputs[0] = {AGAA_RESOLVED_NORMAL, 0, "velocity"};
+         }});
+    rows.push_back(
+        {"AgaaResolvedOutput::attribute that the layout lacks", AGAA_ERROR_LAYOUT, "velocity", [](ViewParts& p) {
+             p.chain(p.outputs);
+             p.outputs.outputs[0] = {AGAA_RESOLVED_CUSTOM, 0, "velocity"};
+         }});
+    rows.push_back({"AGAA_RESOLVED_NORMAL of \"msaa\"", AGAA_ERROR_UNSUPPORTED, "msaa", [](ViewParts& p) {
+                        p.config.technique = "msaa";
+                        p.chain(p.outputs);
+                        p.outputs.outputs[0].value = AGAA_RESOLVED_NORMAL;
+                    }});
     rows.push_back({"AgaaShadingFunction::glsl = null", AGAA_ERROR_INVALID_ARGUMENT, "glsl", [](ViewParts& p) {
                         p.chain(p.shading);
                         p.shading.glsl = nullptr;

@@ -52,6 +52,7 @@ Suite makeSuite() {
     addCoverageImageCases(suite);
     addCounterCases(suite);
     addRepeatedFrameCases(suite);
+    addResolvedOutputCases(suite);
     addVkOutputCases(suite);
     addGlArgumentCases(suite);
     addValidationCases(suite);

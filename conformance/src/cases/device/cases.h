@@ -50,6 +50,7 @@ void addImageCases(Suite& suite);
 void addCoverageImageCases(Suite& suite);
 void addCounterCases(Suite& suite);
 void addRepeatedFrameCases(Suite& suite);
+void addResolvedOutputCases(Suite& suite);
 void addVkOutputCases(Suite& suite);
 void addGlArgumentCases(Suite& suite);
 void addValidationCases(Suite& suite);

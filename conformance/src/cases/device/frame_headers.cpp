@@ -62,7 +62,41 @@ template <class Native> HeaderCase nativeFrameCase(Rig& rig, const char* name) {
                               });
         });
     };
-    return {name, rig.function(), nullptr, call};
+    return {name,    rig.function(),
+            nullptr, call,
+            false,   true,
+            false,   rig.device().backend() == Backend::Vulkan ? "AgaaVkResolvedImages" : "AgaaGlResolvedTextures"};
+}
+
+// The struct is chained to the frame in place of the host's.
+template <class NativeFrame, class Images> HeaderCase resolvedCase(Rig& rig, const char* name) {
+    const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
+        AgaaFrame frame = rig.nextFrame();
+        return logged(rig, log, [&] {
+            return rig.record(frame,
+                              [&](const RecordCall& record, AgaaView view, const AgaaFrame* f, const void* native) {
+                                  NativeFrame copy = *static_cast<const NativeFrame*>(native);
+                                  copyMembers(structure, *static_cast<const Images*>(copy.pNext));
+                                  copy.pNext = structure;
+                                  return record(view, f, &copy);
+                              });
+        });
+    };
+    return {name, rig.function(), nullptr, call, false, true, true};
+}
+
+template <class NativeFrame, class Images> void testResolvedHeader(Test& test, const char* name) {
+    AgaaResolvedOutputs outputs = AGAA_RESOLVED_OUTPUTS_INIT;
+    Rig rig(test, [&](ViewDescription& d) {
+        setTechnique(d, "single", 4);
+        outputs.pNext = d.desc.pNext;
+        d.desc.pNext = &outputs;
+    });
+    rig.device().setResolvedOutputs(outputs.count);
+    const Image expected = rig.render();
+    testHeader(test, resolvedCase<NativeFrame, Images>(rig, name));
+    expectNextFrame(rig, expected, "calls with wrong headers");
+    rig.device().setResolvedOutputs(0);
 }
 
 // All elements get the bytes of the case's struct. The bytes of the first element are returned.
@@ -177,6 +211,11 @@ void addFrameHeaderCases(Suite& suite) {
         suite, "AgaaVkDrawPass/header", vk, [](Rig& rig) { return nativePassCase(rig, "AgaaVkDrawPass"); }, "agaa");
     add(
         suite, "AgaaGlDrawPass/header", gl, [](Rig& rig) { return nativePassCase(rig, "AgaaGlDrawPass"); }, "agaa");
+    suite.add("AgaaVkResolvedImages/header", vk,
+              [](Test& test) { testResolvedHeader<AgaaVkFrame, AgaaVkResolvedImages>(test, "AgaaVkResolvedImages"); });
+    suite.add("AgaaGlResolvedTextures/header", gl, [](Test& test) {
+        testResolvedHeader<AgaaGlFrame, AgaaGlResolvedTextures>(test, "AgaaGlResolvedTextures");
+    });
     add(suite, "AgaaVkSurface/header", vk, [](Rig& rig) { return nativeSurfaceCase(rig, "AgaaVkSurface"); });
     add(suite, "AgaaGlSurface/header", gl, [](Rig& rig) { return nativeSurfaceCase(rig, "AgaaGlSurface"); });
     add(suite, "AgaaSurface/header/agaaGetSurface", both, [](Rig& rig) {

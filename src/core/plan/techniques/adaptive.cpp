@@ -206,6 +206,7 @@ void build(PlanBuilder& b) {
         a.ids = drawIds(b);
     else
         a.gbuffer = makeGBuffer(b);
+    b.bindSceneSamples = [&b, a](Pass& pass) { a.bindSamples(b, pass); };
     a.firstSamples = b.image("first-samples", Format::RGBA16F, false);
     a.choices = choiceBuffer(b);
     b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fill().bytes = 4 * AGAA_SUM_WORDS;

@@ -8,6 +8,7 @@
 #include "core/plan/techniques/sample_ids.h"
 #include "shaders/tables/layouts.inc"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -57,7 +58,7 @@ Layout surfaceLayout(const ViewSettings& view) {
     }
     for (CustomAttribute& custom : layout.customs)
         custom.attribute.aggregateBits = std::max(custom.attribute.sampleBits, 6u);
-    if (!view.shadingFunction)
+    if (!view.shadingFunction && std::ranges::none_of(view.resolvedOutputs, &ResolvedOutput::isOfSurfaces))
         layout.customs.clear(); // no shader reads them: agaaGetAggregateGlsl() is for "agaa"
     return layout;
 }

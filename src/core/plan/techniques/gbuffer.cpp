@@ -27,6 +27,7 @@ GBuffer makeGBuffer(PlanBuilder& b) {
     GBuffer g;
     if (b.view().hostGBuffer) {
         g.packing = packGBuffer(b.view().layout);
+        b.bindSceneSamples = [&b, g](Pass& pass) { g.bind(b, pass); };
         return g;
     }
     g.depth = b.depth(false);
@@ -35,6 +36,7 @@ GBuffer makeGBuffer(PlanBuilder& b) {
     pass.draw().state.depthWrite = 1;
     pass.draw().clearsDepth = true;
     b.sceneAttachments = g.attachments;
+    b.bindSceneSamples = [&b, g](Pass& pass) { g.bind(b, pass); };
     return g;
 }
 
