@@ -43,9 +43,11 @@ struct RenderArguments {
     uint32_t ditherFrame = 0;
     std::string shadingFunction; // render: a file with GLSL; empty: none
     std::string shadingLevel = "event";
-    std::string motion = "still";    // render: of the scene
-    uint32_t spp = 512;              // reference: samples per pixel
-    std::string footprint = "pixel"; // reference: pixel or sample
+    std::vector<std::string> resolved; // render: AgaaResolvedValue
+    bool layers = false;               // render
+    std::string motion = "still";      // render: of the scene
+    uint32_t spp = 512;                // reference: samples per pixel
+    std::string footprint = "pixel";   // reference: pixel or sample
     bool noCounters = false;
     bool noTimestamps = false;
     std::string png;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -62,6 +63,21 @@ std::string readShadingFunction(const std::string& path) {
     return text.str();
 }
 
+AgaaResolvedValue resolvedValue(const std::string& name) {
+    return name == "nearest-depth" ? AGAA_RESOLVED_NEAREST_DEPTH
+           : name == "mean-depth"  ? AGAA_RESOLVED_MEAN_DEPTH
+           : name == "normal"      ? AGAA_RESOLVED_NORMAL
+                                   : AGAA_RESOLVED_COVERAGE;
+}
+
+void writeResolved(const RenderArguments& arguments, const std::vector<Image>& images) {
+    for (size_t i = 0; i < images.size(); ++i) {
+        std::filesystem::path path = arguments.exr;
+        path.replace_filename(path.stem().string() + "-" + arguments.resolved[i] + ".exr");
+        writeExr(path, images[i]);
+    }
+}
+
 RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration,
                               const Scene& scene) {
     RenderSettings settings;
@@ -82,6 +98,9 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.computesTriangles = configuration.computesTriangles;
     settings.shadingGlsl = readShadingFunction(arguments.shadingFunction);
     settings.shadingLevel = parseShadingLevel(arguments.shadingLevel);
+    for (const std::string& name : arguments.resolved)
+        settings.resolved.push_back(resolvedValue(name));
+    settings.hasLayers = arguments.layers;
     settings.drawOrderSeed = arguments.drawOrderSeed;
     settings.alphaPoints = arguments.alphaPoints;
     settings.ditherFrame = arguments.ditherFrame;
@@ -273,8 +292,10 @@ void runRender(const RenderArguments& arguments, bool asJson) {
                 value *= 0.25f;
         writePng(arguments.png, shown);
     }
-    if (!arguments.exr.empty())
+    if (!arguments.exr.empty()) {
         writeExr(arguments.exr, m.plain.image);
+        writeResolved(arguments, m.plain.resolved);
+    }
     json out = resultJson(m, arguments, *renderer, configuration.size);
     if (settings.config.keepsLists())
         out["fragmentsPerPixel"] = settings.config.coverage.fragmentsPerPixel;

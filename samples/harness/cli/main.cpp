@@ -172,6 +172,15 @@ void run(int argc, char** argv) {
     render->add_option("--shading-function", renderArguments.shadingFunction,
                        "GLSL file with agaaShade() or agaaReflect(), which replaces the library's model");
     render->add_option("--shading-level", renderArguments.shadingLevel, "event or reflectance: what the file defines");
+    render
+        ->add_option("--resolve", renderArguments.resolved,
+                     "values of pixels beside the image: nearest-depth, mean-depth, normal, coverage; --exr FILE.exr "
+                     "writes FILE-VALUE.exr, too")
+        ->delimiter(',')
+        ->expected(1, 4)
+        ->check(CLI::IsMember({"nearest-depth", "mean-depth", "normal", "coverage"}));
+    render->add_flag("--layers", renderArguments.layers,
+                     "draw a transparent pane and particles over the image, by its mean depth and coverage");
     addMotionOption(*render, renderArguments.motion);
     render->add_flag("--switch-facts", renderArguments.switchFacts,
                      "each frame has other facts than the one before, whose variants are prepared");

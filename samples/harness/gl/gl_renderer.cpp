@@ -60,11 +60,13 @@ void GlRenderer::prepare(const FrameInput& input) {
     const RenderSettings& settings = input.settings;
     if (outputWidth_ != settings.width || outputHeight_ != settings.height) {
         device_.checkTextureSize(settings.width, settings.height);
-        output_ = createTexture(gl, GL_TEXTURE_2D);
-        gl.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
         outputWidth_ = settings.width;
         outputHeight_ = settings.height;
+        output_ = makeOutput();
+        resolved_.clear();
     }
+    while (resolved_.size() < resolvedValues(settings).size())
+        resolved_.push_back(makeOutput());
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera, input.placement);
     for (const DrawPass<AgaaGlDrawPass>& pass : view_->passes) {
         programs_.prepare(pass, scene(), input.draws);
@@ -94,22 +96,40 @@ double GlRenderer::renderFrame(const FrameInput& input) {
     glFrame.outputTexture = output_.get();
     for (size_t i = 0; i < shadowMaps_.shadows().size(); ++i)
         glFrame.shadowTextures[i] = shadowMaps_.texture(i);
+    AgaaGlResolvedTextures resolved = AGAA_GL_RESOLVED_TEXTURES_INIT;
+    const size_t count = resolvedValues(input.settings).size();
+    for (size_t i = 0; i < count; ++i)
+        resolved.textures[i] = resolved_[i].get();
+    glFrame.pNext = count == 0 ? nullptr : &resolved;
     if (input.settings.background.a == 0)
         gl.ClearTexImage(output_.get(), 0, GL_RGBA, GL_FLOAT, glm::value_ptr(input.settings.background));
     gl.Finish();
     const auto start = std::chrono::steady_clock::now();
     record(input, "agaaGlRecordFrame",
            [&](const AgaaFrame& frame) { return agaaGlRecordFrame(view_->view, &frame, &glFrame); });
+    if (input.settings.hasLayers) {
+        if (!layers_)
+            layers_.emplace(gl);
+        gl.ClipControl(GL_LOWER_LEFT, options_.clipZFromMinusOne ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
+        layers_->draw(layerConstants(input.camera, rasterised(input.camera.projection)), output_, resolved_[count - 2],
+                      resolved_[count - 1], outputWidth_, outputHeight_);
+    }
     gl.Finish();
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     device_.checkErrors("render a frame");
     return elapsed.count();
 }
 
-Image GlRenderer::readOutput() {
+gl::Texture GlRenderer::makeOutput() const {
+    gl::Texture texture = createTexture(device_.gl(), GL_TEXTURE_2D);
+    device_.gl().TextureStorage2D(texture.get(), 1, GL_RGBA32F, GLsizei(outputWidth_), GLsizei(outputHeight_));
+    return texture;
+}
+
+Image GlRenderer::read(const gl::Texture& texture) const {
     Image image{outputWidth_, outputHeight_, {}};
     image.rgb.resize(3 * image.pixelCount());
-    device_.gl().GetTextureImage(output_.get(), 0, GL_RGB, GL_FLOAT, GLsizei(image.rgb.size() * sizeof(float)),
+    device_.gl().GetTextureImage(texture.get(), 0, GL_RGB, GL_FLOAT, GLsizei(image.rgb.size() * sizeof(float)),
                                  image.rgb.data());
     return image;
 }

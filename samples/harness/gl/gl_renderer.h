@@ -4,6 +4,7 @@
 #include "gl/gpu_fetch.h"
 #include "gl/gpu_motion.h"
 #include "gl/gpu_strips.h"
+#include "gl/layers.h"
 #include "gl/pass_programs.h"
 #include "gl/sdk_context.h"
 #include "gl/shadow_maps.h"
@@ -33,10 +34,14 @@ private:
     void prepare(const FrameInput& input) override;
     void setCamera(const FrameInput& input) override;
     double renderFrame(const FrameInput& input) override;
-    Image readOutput() override;
+    Image readOutput() override { return read(output_); }
+    Image readResolved(size_t index) override { return read(resolved_.at(index)); }
     const std::vector<AgaaShadow>& shadows() const override { return shadowMaps_.shadows(); }
     glm::dmat4 rasterised(const glm::dmat4& projection) const override;
     void draw(const AgaaDrawTarget& target, const FrameInput& input) override;
+
+    gl::Texture makeOutput() const; // of the size of the output
+    Image read(const gl::Texture& texture) const;
 
     RendererOptions options_;
     gl::Device device_;
@@ -46,6 +51,8 @@ private:
     gl::GpuMotion motion_;
     gl::Buffer cameraConstants_;
     gl::Texture output_;
+    std::vector<gl::Texture> resolved_; // in the order of resolvedValues()
+    std::optional<gl::Layers> layers_;
     uint32_t outputWidth_ = 0;
     uint32_t outputHeight_ = 0;
     std::optional<gl::GpuScene> gpuScene_;

@@ -1,5 +1,6 @@
 #include "render/host_renderer.h"
 
+#include "render/layers.h"
 #include "render/lights.h"
 #include "render/sdk_queries.h"
 
@@ -98,6 +99,14 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
         shading.pNext = desc.pNext;
         desc.pNext = &shading;
     }
+    AgaaResolvedOutputs resolved = AGAA_RESOLVED_OUTPUTS_INIT;
+    if (const std::vector<AgaaResolvedValue> values = resolvedValues(settings); !values.empty()) {
+        resolved.count = uint32_t(values.size());
+        for (uint32_t i = 0; i < resolved.count; ++i)
+            resolved.outputs[i].value = values[i];
+        resolved.pNext = desc.pNext;
+        desc.pNext = &resolved;
+    }
     const AgaaView view = useView(desc);
     RenderResult result;
     result.memory = predictMemory(desc, caps(), log());
@@ -138,6 +147,8 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
         log().check(agaaGetFactReport(view, frameIndex_, &*result.facts), "agaaGetFactReport");
     }
     result.image = readOutput();
+    for (size_t i = 0; i < settings.resolved.size(); ++i)
+        result.resolved.push_back(readResolved(i));
     return result;
 }
 

@@ -54,6 +54,7 @@ protected:
     // Renders one frame through record() and waits for it. Returns milliseconds.
     virtual double renderFrame(const FrameInput& input) = 0;
     virtual Image readOutput() = 0;
+    virtual Image readResolved(size_t index) = 0; // of RenderSettings::resolved
     virtual const std::vector<AgaaShadow>& shadows() const = 0;
     virtual void draw(const AgaaDrawTarget& target, const FrameInput& input) = 0;
 

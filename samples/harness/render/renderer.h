@@ -66,6 +66,8 @@ struct RenderSettings {
     bool computesTriangles = false; // AgaaFetchFunction::maxTriangles
     std::string shadingGlsl;        // AgaaShadingFunction::glsl; empty: the library's model
     AgaaShadingLevel shadingLevel = AGAA_SHADING_EVENT;
+    std::vector<AgaaResolvedValue> resolved; // AgaaResolvedOutputs, at most 4; not CUSTOM
+    bool hasLayers = false;                  // a transparent pane and particles over the image; see layers.h
 };
 
 // The result of a configuration in the SDK.
@@ -77,6 +79,7 @@ struct PlanSummary {
 
 struct RenderResult {
     Image image;                          // image of the last frame, linear
+    std::vector<Image> resolved;          // of the last frame, by RenderSettings::resolved
     std::vector<double> frameMs;          // time from submission to completion per counted frame, without warm-up
     std::vector<double> recordToFinishMs; // time from the beginning of recording to completion
     std::vector<double> recordMs;         // time in the SDK's recording calls, without the draw callbacks

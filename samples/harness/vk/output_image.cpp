@@ -10,8 +10,6 @@ namespace harness::vk {
 
 namespace {
 
-// The format has full precision, so that errors measure the SDK and not the image.
-constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr size_t channels = 4;
 
 } // namespace
@@ -31,7 +29,7 @@ OutputImage::OutputImage(const Device& device, uint32_t width, uint32_t height)
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+                 VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     target_ = arena_.image(info, VK_IMAGE_VIEW_TYPE_2D, VK_IMAGE_ASPECT_COLOR_BIT);
     readback_ = arena_.hostBuffer(VkDeviceSize(width) * height * channels * sizeof(float),
                                   VK_BUFFER_USAGE_TRANSFER_DST_BIT, true);

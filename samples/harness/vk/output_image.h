@@ -7,6 +7,9 @@ namespace harness::vk {
 
 class OutputImage {
 public:
+    // Full precision, so that errors measure the SDK and not the image.
+    static constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
+
     OutputImage(const Device& device, uint32_t width, uint32_t height);
 
     uint32_t width() const { return width_; }

@@ -1,5 +1,7 @@
 #include "vk/vulkan_renderer.h"
 
+#include "vk/barrier.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -75,7 +77,15 @@ void VulkanRenderer::prepare(const FrameInput& input) {
     if (!output_ || output_->width() != settings.width || output_->height() != settings.height) {
         output_.reset();
         output_.emplace(device_, settings.width, settings.height);
+        layers_.reset();
+        resolved_.clear();
     }
+    const size_t count = resolvedValues(settings).size();
+    while (resolved_.size() < count)
+        resolved_.emplace_back(device_, settings.width, settings.height);
+    layers_.reset();
+    if (settings.hasLayers)
+        layers_.emplace(device_, *output_, resolved_[count - 2], resolved_[count - 1]);
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera, input.placement);
     for (const DrawPass<AgaaVkDrawPass>& pass : view_->passes) {
         if (pass.state.vertexPulling && !strips_)
@@ -116,6 +126,17 @@ void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer comman
     vkFrame.outputLayoutOut = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     for (size_t i = 0; i < shadowMaps_.shadows().size(); ++i)
         vkFrame.shadowViews[i] = (uint64_t)shadowMaps_.view(i);
+    AgaaVkResolvedImages resolved = AGAA_VK_RESOLVED_IMAGES_INIT;
+    const size_t count = resolvedValues(settings).size();
+    for (size_t i = 0; i < count; ++i) {
+        resolved.images[i] = (uint64_t)resolved_[i].image();
+        resolved.views[i] = (uint64_t)resolved_[i].view();
+        resolved.layoutsOut[i] = i < settings.resolved.size() ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
+                                                              : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    }
+    vkFrame.pNext = count == 0 ? nullptr : &resolved;
+    if (layers_)
+        vkFrame.outputLayoutOut = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     if (fetch_)
         vkFrame.functionSet = (uint64_t)fetch_->set();
     if (settings.background.a == 0) {
@@ -125,6 +146,14 @@ void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer comman
 
     record(input, "agaaVkRecordFrame",
            [&](const AgaaFrame& frame) { return agaaVkRecordFrame(view_->view, &frame, &vkFrame); });
+    if (layers_) {
+        layers_->draw(commands, layerConstants(input.camera, input.camera.projection));
+        constexpr ImageUse drawn{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
+                                 VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+        constexpr ImageUse read{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT,
+                                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+        imageBarrier(commands, output_->image(), VK_IMAGE_ASPECT_COLOR_BIT, drawn, read);
+    }
 }
 
 void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {

@@ -5,11 +5,13 @@
 #include "vk/gpu_fetch.h"
 #include "vk/gpu_motion.h"
 #include "vk/gpu_strips.h"
+#include "vk/layers.h"
 #include "vk/output_image.h"
 #include "vk/pass_pipelines.h"
 #include "vk/sdk_context.h"
 #include "vk/shadow_maps.h"
 
+#include <deque>
 #include <optional>
 
 namespace harness {
@@ -32,6 +34,7 @@ private:
     void setCamera(const FrameInput& input) override;
     double renderFrame(const FrameInput& input) override;
     Image readOutput() override { return output_->read(); }
+    Image readResolved(size_t index) override { return resolved_.at(index).read(); }
     const std::vector<AgaaShadow>& shadows() const override { return shadowMaps_.shadows(); }
     void draw(const AgaaDrawTarget& target, const FrameInput& input) override;
 
@@ -47,6 +50,8 @@ private:
     vk::PassPipelines pipelines_;
     vk::ShadowMaps shadowMaps_;
     std::optional<vk::OutputImage> output_;
+    std::deque<vk::OutputImage> resolved_; // in the order of resolvedValues()
+    std::optional<vk::Layers> layers_;
     std::optional<vk::GpuScene> gpuScene_;
     std::optional<vk::GpuMotion> motion_;
     std::optional<vk::GpuFetch> fetch_;   // set if a view fetches materials by id
