@@ -20,7 +20,7 @@ constexpr GLenum valueFormats[] = {GL_RG32F,     GL_RG16F,    GL_R32F,         G
                                    GL_RG8,       GL_R16,      GL_R8,           GL_RG16_SNORM, GL_RG8_SNORM,
                                    GL_R16_SNORM, GL_R8_SNORM, GL_RGBA16_SNORM, GL_RGBA8_SNORM};
 
-bool holds(std::span<const GLenum> formats, GLenum format) { return std::ranges::count(formats, format) != 0; }
+bool isIn(std::span<const GLenum> formats, GLenum format) { return std::ranges::count(formats, format) != 0; }
 
 GLint levelParameter(const GladGLContext& gl, GLuint texture, GLenum parameter) {
     GLint value = 0;
@@ -84,7 +84,7 @@ void View::checkResolved(const AgaaGlFrame& glFrame, uint64_t right, uint64_t to
                  format("%s is %dx%d; the frame ends at %llu, %llu.", name.c_str(), width, height,
                         static_cast<unsigned long long>(right), static_cast<unsigned long long>(top)));
         const auto texels = GLenum(levelParameter(gl, texture, GL_TEXTURE_INTERNAL_FORMAT));
-        if (!holds(outputFormats, texels) && !holds(valueFormats, texels))
+        if (!isIn(outputFormats, texels) && !isIn(valueFormats, texels))
             fail(AGAA_ERROR_UNSUPPORTED,
                  format("%s is of a format that images cannot store, as R32F can.", name.c_str()));
         require(std::none_of(outputs_.begin(), outputs_.begin() + long(i) + 1,
@@ -113,7 +113,7 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame, bool 
         fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaGlFrame::outputTexture is %dx%d; the view is %ux%u.", width, height,
                                              plan.view.width, plan.view.height));
     const auto texels = GLenum(levelParameter(gl, output, GL_TEXTURE_INTERNAL_FORMAT));
-    require(holds(outputFormats, texels), AGAA_ERROR_UNSUPPORTED,
+    require(isIn(outputFormats, texels), AGAA_ERROR_UNSUPPORTED,
             "AgaaGlFrame::outputTexture is of a format that images cannot store, as RGBA16F can.");
     outputs_[0] = {output, texels};
     const FrameExtent extent = extentOf(frame, plan);

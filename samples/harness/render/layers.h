@@ -11,7 +11,7 @@ namespace harness {
 
 constexpr uint32_t layerQuadCount = 65;
 
-// As shaders/layers.glsl declares it (std140).
+// std140, declared by shaders/layers.glsl.
 struct LayerQuad {
     glm::vec4 centre, color, shape;
 };

@@ -66,8 +66,8 @@ struct Resource {
     uint32_t height = 0;
     uint32_t samples = 1;
     uint32_t layers = 1;
-    uint64_t bytes = 0;     // payload of one copy
-    uint32_t copies = 1;    // frames in flight, for uploads and read-back
+    uint64_t bytes = 0;  // payload of one copy
+    uint32_t copies = 1; // frames in flight, for uploads and read-back
     // ShadowMap: index among the frame's shadows. Output: 0 is the image; 1 and more are resolved outputs.
     uint32_t hostSlot = 0;
     uint32_t firstPass = 0; // lifetime, by index into Plan::passes

@@ -36,7 +36,7 @@ void agaa_raiseSum(uint word, uint least) { agaa_sums[word] = max(agaa_sums[word
 float agaa_nearestDepth = float(AGAA_FAR_DEPTH);
 float agaa_meanDepth = float(AGAA_FAR_DEPTH);
 
-// For AGAA_STORE_VALUES.
+// AGAA_STORE_VALUES calls these functions.
 float agaa_resolvedMean(uint word) { return agaa_meanOfTerms(agaa_sums[word], agaa_sums[0]); }
 float agaa_resolvedCode(uint word, uint shift, uint bits) {
     return agaa_meanOfSum(bitfieldExtract(agaa_sums[word], int(shift), int(bits)), 1u, bits);

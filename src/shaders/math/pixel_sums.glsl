@@ -5,8 +5,8 @@
 
 // Values are in [-1, 1] and a pixel has up to 128 samples, so that sums are in [-2^30, 2^30].
 #define AGAA_SUM_STEPS real(8388608.0)
-// Depths are in [0, 1], so that their sums are below 2^32.
-#define AGAA_DEPTH_SUM_STEPS real(33554431.0)
+// Depths are in [0, 1], so that their sums are at most 2^31.
+#define AGAA_DEPTH_SUM_STEPS real(16777216.0)
 
 // Returns a term. sum: over samples.
 uint agaa_sumTerm(real sum) { return uint(int(floor(sum * AGAA_SUM_STEPS + real(0.5)))); }

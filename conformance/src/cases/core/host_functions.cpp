@@ -250,9 +250,40 @@ void testWidened(Test& test) {
                          {"a layout with folded roughness", true, AGAA_DEBUG_VIEW_CLUSTERS, folded}});
 }
 
+Change resolves(uint32_t value) {
+    return [value](ViewParts& p) {
+        p.outputs.outputs[0].value = value;
+        p.chain(p.outputs);
+    };
+}
+
+// A view whose layout has the attribute `velocity`.
+void testNameOfAttribute(Test& test) {
+    for (const bool isKnown : {true, false}) {
+        ViewParts parts(test.sdk, nullptr);
+        AgaaLayoutAttribute velocity = AGAA_LAYOUT_ATTRIBUTE_INIT;
+        velocity.semantic = AGAA_SEMANTIC_CUSTOM;
+        velocity.channels = 2;
+        velocity.sampleBits = 16;
+        velocity.name = "velocity";
+        parts.layout.attributes[parts.layout.attributeCount++] = velocity;
+        parts.useLayout();
+        resolves(AGAA_RESOLVED_CUSTOM)(parts);
+        parts.outputs.outputs[0].attribute = isKnown ? "velocity" : "speed";
+        if (isKnown)
+            expectAccepted(test, parts, "an output of a custom attribute");
+        else
+            expectViewRefused(test, parts, AGAA_ERROR_LAYOUT, "an output of an attribute that the layout lacks",
+                              "speed");
+    }
+}
+
 } // namespace
 
 void addHostFunctionCases(Suite& suite) {
+    suite.core("AgaaResolvedOutputs/AGAA_ERROR_UNSUPPORTED",
+               [](Test& test) { testNotFor(test, {"msaa"}, "AgaaResolvedOutputs", resolves(AGAA_RESOLVED_NORMAL)); });
+    suite.core("AgaaResolvedOutput.attribute/AGAA_ERROR_LAYOUT", testNameOfAttribute);
     suite.core("AgaaGBufferFunction/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
         testNotFor(test, {"msaa", "dcaa"}, "AgaaGBufferFunction", [](ViewParts& p) { p.chainAlone(p.gbuffer); });
     });

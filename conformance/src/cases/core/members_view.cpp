@@ -157,7 +157,7 @@ void addFunctions(Suite& suite) {
                       outputs,
                       {1}});
     addMember(suite,
-              {"AgaaResolvedOutput.value/range",
+              {"AgaaResolvedOutput.value/enum",
                "AgaaResolvedOutput::value",
                [](ViewParts& p, double x) { p.outputs.outputs[0].value = whole(x); },
                {AGAA_RESOLVED_NEAREST_DEPTH, AGAA_RESOLVED_MEAN_DEPTH, AGAA_RESOLVED_NORMAL, AGAA_RESOLVED_COVERAGE},

@@ -15,9 +15,9 @@ struct ViewParts : ViewDescription {
     AgaaShadowFunction shadow;
     AgaaShadingFunction shading;
     AgaaResolvedOutputs outputs; // the nearest depth
-    AgaaDeviceCaps caps;   // an ideal device; devices do not read it
-    AgaaAggregation spare; // second struct of its type in a chain
-    bool isNull = false;   // the description is null
+    AgaaDeviceCaps caps;         // an ideal device; devices do not read it
+    AgaaAggregation spare;       // second struct of its type in a chain
+    bool isNull = false;         // the description is null
 
     template <class T> void chain(T& function) {
         function.pNext = desc.pNext;
