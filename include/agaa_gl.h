@@ -316,15 +316,13 @@ AGAA_API void AGAA_CALL agaaInitGlResolvedTextures(AgaaGlResolvedTextures* outTe
  *                                         exist or is of another target, a shadow map has no depth, or the view is a
  *                                         Vulkan view
  *           AGAA_ERROR_STRUCT             a struct is not initialised
- *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, the output has another size than the view
- *                                         or does not hold the frame, or the camera, ditherFrame, the size or the
- *                                         facts differ from those of the first segment
- *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, a
- *                                         segment is missing or repeated, or transform feedback is active and not
- *                                         paused
- *           AGAA_ERROR_UNSUPPORTED        the output's format does not support image stores
- *           AGAA_ERROR_CALLBACK           a callback failed. The output is unchanged; earlier passes have run, so
- *                                         that an unfinished frame cannot continue: the next call begins a frame
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, the output has another size than the view,
+ *                                         it or a texture of AgaaGlResolvedTextures does not hold the frame, or the
+ * camera, ditherFrame, the size or the facts differ from those of the first segment AGAA_ERROR_WRONG_ORDER
+ * framesInFlight frames are unfinished, the frame index does not increase, a segment is missing or repeated, or
+ * transform feedback is active and not paused AGAA_ERROR_UNSUPPORTED        the format of the output, or of a texture
+ * of AgaaGlResolvedTextures, does not support image stores AGAA_ERROR_CALLBACK           a callback failed. The output
+ * is unchanged; earlier passes have run, so that an unfinished frame cannot continue: the next call begins a frame
  *           AGAA_ERROR_DEVICE             the context is lost. If it has GL_LOSE_CONTEXT_ON_RESET, the SDK calls
  *                                         glGetGraphicsResetStatus, which may report a reset only once: take this
  *                                         error for a reset
@@ -335,7 +333,8 @@ AGAA_API void AGAA_CALL agaaInitGlResolvedTextures(AgaaGlResolvedTextures* outTe
  *           errors that were pending, and they are lost. Functions of the host (agaa/functions.h) use the resources
  *           that are bound on entry or, if the host draws, when the last draw callback returns. The SDK does not use
  *           texture units from 17 and other binding points from 4, except for those named in AgaaGlDeviceDesc.
- *           Techniques with lists of fragments, "dcaa" and the tier FRAGMENTS of "agaa", use binding point 4 too. */
+ *           Techniques with lists of fragments, "dcaa" and the tier FRAGMENTS of "agaa", use binding point 4 too. Views
+ *           with AgaaResolvedOutputs use storage binding points 4 and 5 and image units up to 7. */
 AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaGlFrame* glFrame);
 
 #ifdef __cplusplus

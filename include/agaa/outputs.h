@@ -20,11 +20,14 @@ typedef enum AgaaResolvedValue {
     /* Red: the mean depth of the samples, or that of the far plane. On a plane it is the depth at the centroid of the
      * samples. */
     AGAA_RESOLVED_MEAN_DEPTH = 2,
-    /* Red, green, blue: the mean of the samples' unit normals in shading space, or 0. Its length is 1 if they agree. */
+    /* Red, green, blue: the mean of the samples' unit normals in shading space, or 0. It is shorter than 1 if they
+     * differ. Surfaces of "dcaa", and aggregates in memory with folded roughness, count as one direction. */
     AGAA_RESOLVED_NORMAL = 3,
     /* Red: the share of the pixel's samples that show geometry, [0, 1]. */
     AGAA_RESOLVED_COVERAGE = 4,
-    /* The channels of a custom attribute of the layout, combined by its AgaaFilter, or 0. */
+    /* The channels of a custom attribute of the layout, combined by its AgaaFilter, or 0. AGAA_FILTER_NONE fails with
+     * AGAA_ERROR_UNSUPPORTED where shading events have means of all attributes: in "dcaa", and in "agaa" with the tiers
+     * IDS and FRAGMENTS, except for IDS with AGAA_CONFIG_BUFFERED. */
     AGAA_RESOLVED_CUSTOM = 5,
     AGAA_RESOLVED_VALUE_MAX_ENUM = 0x7FFFFFFF
 } AgaaResolvedValue;
@@ -39,9 +42,11 @@ typedef struct AgaaResolvedOutput {
 #define AGAA_MAX_RESOLVED_OUTPUTS 6
 /* Outputs of a view beside its image. Chain it to AgaaViewDesc. The last pass of each frame writes them into images of
  * the host: AgaaVkResolvedImages or AgaaGlResolvedTextures, chained to AgaaVkFrame or AgaaGlFrame. A depth or coverage
- * of a view with a depth buffer costs this pass. Other values take memory where samples are not in a G-buffer; the
- * memory report names it "resolved-sums". "msaa" keeps no materials: NORMAL and CUSTOM fail with
- * AGAA_ERROR_UNSUPPORTED. */
+ * of a view with a depth buffer costs this pass. Other values take memory where samples are not in a G-buffer: the
+ * surface "resolved-sums" and, for CUSTOM in "dcaa" and "sbaa", the attributes of each surface. "msaa" keeps no
+ * materials: NORMAL and CUSTOM fail with AGAA_ERROR_UNSUPPORTED. With AGAA_CONFIG_ACCUMULATE, the values are those of
+ * the frame, not of the accumulated image. On Vulkan, more outputs than maxPerStageDescriptorStorageImages of the
+ * device fail with AGAA_ERROR_UNSUPPORTED. */
 typedef struct AgaaResolvedOutputs {
     uint32_t sType;
     uint32_t structSize;

@@ -127,6 +127,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc,
     timestampBits = std::min(properties[queueFamily].timestampValidBits, 64u);
     timestampPeriod = limits.timestampPeriod;
     granularity = limits.bufferImageGranularity;
+    maxStorageImages = limits.maxPerStageDescriptorStorageImages;
     if (!limits.standardSampleLocations)
         log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
                   "the device does not rasterise at the standard sample locations; positions of "

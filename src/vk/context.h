@@ -32,6 +32,7 @@ public:
     VkPipelineCache pipelineCache;             // of the host, or createdCache_
     std::optional<AgaaVkAllocator> hostMemory; // nullopt: vkAllocateMemory
     VkPhysicalDeviceMemoryProperties memory{};
+    uint32_t maxStorageImages = 0; // of a shader stage
     VkDeviceSize maxAllocation = 0;
     VkDeviceSize granularity = 1; // bytes, bufferImageGranularity
     float timestampPeriod = 0;    // nanoseconds per tick

@@ -62,6 +62,11 @@ void View::createPassObjects() {
         const Pass& pass = plan.passes[i];
         if (pass.bindings.empty())
             continue;
+        const auto images = std::ranges::count(pass.bindings, BindingType::StorageImage, &Binding::type);
+        if (images > context.maxStorageImages)
+            fail(AGAA_ERROR_UNSUPPORTED, format("pass \"%s\" writes %u images; the device allows %u. Ask for fewer "
+                                                "outputs.",
+                                                pass.name.c_str(), uint32_t(images), context.maxStorageImages));
         std::vector<VkDescriptorSetLayoutBinding> bindings;
         for (const Binding& binding : pass.bindings) {
             const VkDescriptorType type = descriptorType(binding.type);

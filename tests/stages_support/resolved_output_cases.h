@@ -60,9 +60,20 @@ protected:
     static inline const AgaaLayout layout = layoutWithKind();
 
     static bool resolvesSurfaces(const TechniqueTier& tier) { return tier.technique != std::string("msaa"); }
+    // Returns whether the tier keeps values of AGAA_FILTER_NONE: in a G-buffer or in aggregates in memory.
+    static bool keepsValues(const TechniqueTier& tier) {
+        const bool byIds =
+            fetches(tier) && tier.technique == std::string("agaa") && !(tier.flags & AGAA_CONFIG_BUFFERED);
+        return resolvesSurfaces(tier) && tier.technique != std::string("dcaa") && !byIds;
+    }
 
-    static ViewSettings settingsOf(const TechniqueTier& tier) {
+    static ViewSettings settingsOf(const TechniqueTier& tier, bool isReversed = false) {
         ViewSettings settings = pixelView({tier.technique, tier.n});
+        if (isReversed) {
+            settings.flags |= AGAA_VIEW_REVERSED_Z;
+            for (int column = 0; column < 4; ++column) // 1 - depth
+                settings.projection[column][2] = (column == 3 ? 1.0f : 0.0f) - settings.projection[column][2];
+        }
         apply(tier, settings);
         settings.config.layout = &layout;
         settings.facts.flags = AGAA_FACT_AMBIENT;
@@ -93,9 +104,10 @@ protected:
                                                    {AGAA_RESOLVED_COVERAGE, 0, nullptr}};
         if (resolvesSurfaces(tier))
             for (const AgaaResolvedOutput& of : {AgaaResolvedOutput{AGAA_RESOLVED_NORMAL, 0, nullptr},
-                                                 AgaaResolvedOutput{AGAA_RESOLVED_CUSTOM, 0, "velocity"},
-                                                 AgaaResolvedOutput{AGAA_RESOLVED_CUSTOM, 0, "kind"}})
+                                                 AgaaResolvedOutput{AGAA_RESOLVED_CUSTOM, 0, "velocity"}})
                 outputs.push_back(of);
+        if (keepsValues(tier))
+            outputs.push_back({AGAA_RESOLVED_CUSTOM, 0, "kind"});
         return outputs;
     }
     static constexpr size_t pixels = 32 * 16;
@@ -111,8 +123,11 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
         const bool isChosen = rendersSetting<TypeParam>(setting++) || !Cases::resolvesSurfaces(tier);
         if (!isChosen || tier.isBatched || tier.isMixed || tier.layout || !runs(tier, this->context.get()->caps))
             continue;
+        const bool isReversed = setting % 3 == 0; // the far plane has depth 0
+        const auto depthOf = [&](float depth) { return double(isReversed ? 1 - depth : depth); };
         const Shot shot = Cases::shot();
-        ResolvedBench<TypeParam> host(this->context, Cases::settingsOf(tier), Cases::outputsOf(tier), shot, {32, 16});
+        ResolvedBench<TypeParam> host(this->context, Cases::settingsOf(tier, isReversed), Cases::outputsOf(tier), shot,
+                                      {32, 16});
         host.bench->setTriangles(shot.triangles);
         std::vector<float> rgb;
         for (int frame = 0; frame < 2; ++frame) // sums of the first are not those of the second
@@ -121,8 +136,8 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
         for (size_t i = 0; i < host.outputs.count; ++i)
             values.push_back(host.images.read(i));
         uint32_t mixed = 0;
-        const float ground = rgb[0];
-        EXPECT_NEAR(ground, 0.125f * Cases::panel, 0.01f);
+        const float groundLight = rgb[0];
+        EXPECT_NEAR(groundLight, 0.125f * Cases::panel, 0.01f);
         const auto compare = [&](const char* what, float value, double expected, double tolerance, size_t pixel) {
             const double error = std::abs(double(value) - expected);
             worst[what] = std::max(worst[what], error);
@@ -131,22 +146,16 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
         };
         for (size_t i = 0; i < Cases::pixels; ++i) {
             const bool hasGround = i % 32 < 16;
-            const double behind = hasGround ? double(ground) : double(Cases::background);
+            const double behind = hasGround ? double(groundLight) : double(Cases::background);
             const bool isInside = i % 32 >= 4 && i % 32 <= 27 && i / 32 >= 3 && i / 32 <= 12; // the pixel's centre
             const double share =
                 tier.n == 1 ? double(isInside) : (double(rgb[3 * i]) - behind) / (double(Cases::panel) - behind);
             const double groundShare = hasGround ? 1 - share : 0, covered = share + groundShare;
             const bool showsPanel = share > 1e-3, showsAny = hasGround || showsPanel;
             mixed += share > 0.05 && share < 0.95;
-            const double far = 1;
-            compare("nearest depth", values[0][i].x,
-                    showsPanel  ? double(Cases::panelDepth)
-                    : hasGround ? double(Cases::groundDepth)
-                                : far,
-                    2e-7, i);
-            compare("mean depth", values[1][i].x,
-                    showsAny ? (share * double(Cases::panelDepth) + groundShare * double(Cases::groundDepth)) / covered
-                             : far,
+            const double far = depthOf(1), panel = depthOf(Cases::panelDepth), ground = depthOf(Cases::groundDepth);
+            compare("nearest depth", values[0][i].x, showsPanel ? panel : hasGround ? ground : far, 2e-7, i);
+            compare("mean depth", values[1][i].x, showsAny ? (share * panel + groundShare * ground) / covered : far,
                     1e-6, i);
             compare("coverage", values[2][i].x, covered, 1e-6, i);
             if (!Cases::resolvesSurfaces(tier))
@@ -156,7 +165,8 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
             compare("normal z", values[3][i].z, (groundShare * 0.8 + share) / total, 1e-4, i);
             compare("velocity x", values[4][i].x, (groundShare * 0.125 + share) / total, 1e-4, i);
             compare("velocity y", values[4][i].y, (groundShare * 0.25 + share) / total, 1e-4, i);
-            compare("kind", values[5][i].x, showsPanel ? 7 : hasGround ? 3 : 0, 1e-6, i);
+            if (Cases::keepsValues(tier))
+                compare("kind", values[5][i].x, showsPanel ? 7 : hasGround ? 3 : 0, 1e-6, i);
         }
         EXPECT_GE(mixed, tier.n > 1 ? 40u : 0u);
         if (testing::Test::HasFailure())
@@ -166,7 +176,67 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
         std::printf("largest error of %s: %.2g\n", what.c_str(), error);
 }
 
-// A view without outputs has the same passes and bytes as before, and one with outputs the same image.
+// Each value alone has the texels that it has beside others.
+TYPED_TEST_P(ResolvedOutputCases, ValuesNeedNoOthers) {
+    using Cases = ResolvedOutputCases<TypeParam>;
+    for (const TechniqueTier& tier : {TechniqueTier{.technique = "ssaa", .n = 8},
+                                      {.technique = "msaa", .n = 4},
+                                      {.technique = "agaa", .n = 8},
+                                      {.technique = "agaa", .n = 8, .tier = AGAA_TIER_IDS},
+                                      {.technique = "agaa", .n = 64, .tier = AGAA_TIER_FRAGMENTS},
+                                      {.technique = "dcaa", .n = 64, .tier = AGAA_TIER_MATERIAL_LISTS}}) {
+        SCOPED_TRACE(testing::Message() << tier);
+        const Shot shot = Cases::shot();
+        const auto valuesOf = [&](const std::vector<AgaaResolvedOutput>& outputs) {
+            ResolvedBench<TypeParam> host(this->context, Cases::settingsOf(tier), outputs, shot, {32, 16});
+            host.bench->setTriangles(shot.triangles);
+            host.bench->rgb();
+            std::vector<std::vector<glm::vec3>> values;
+            for (size_t i = 0; i < outputs.size(); ++i)
+                values.push_back(host.images.read(i));
+            return values;
+        };
+        const std::vector<AgaaResolvedOutput> outputs = Cases::outputsOf(tier);
+        const std::vector<std::vector<glm::vec3>> together = valuesOf(outputs);
+        for (size_t i = 0; i < outputs.size(); ++i)
+            EXPECT_EQ(valuesOf({outputs[i]})[0], together[i]) << "output " << i;
+    }
+}
+
+// An attribute that is not averaged keeps one of its values where two materials are one surface. Tiers that average it
+// refuse it.
+TYPED_TEST_P(ResolvedOutputCases, UnfilteredValuesAreNotMixed) {
+    using Cases = ResolvedOutputCases<TypeParam>;
+    for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
+        SCOPED_TRACE(testing::Message() << tier);
+        if (!rendersSetting<TypeParam>(setting++) || !Cases::resolvesSurfaces(tier) || tier.isBatched || tier.layout ||
+            tier.isMixed || !runs(tier, this->context.get()->caps))
+            continue;
+        ViewSettings settings = Cases::settingsOf(tier);
+        settings.config.aggregates = 1;
+        const std::vector<AgaaResolvedOutput> outputs = {{AGAA_RESOLVED_CUSTOM, 0, "kind"}};
+        Shot shot = Cases::shot(); // both rectangles are one plane
+        shot.triangles = rectangle(0, 0, 8.4f, 16, 5, facing({0.125f, 0.25f, 0.125f}));
+        for (const Triangle& t : rectangle(8.4f, 0, 32, 16, 5, facing({1, 1, 1})))
+            shot.triangles.push_back(t);
+        if (!Cases::keepsValues(tier)) {
+            EXPECT_THROW(ResolvedBench<TypeParam>(this->context, settings, outputs, shot, {32, 16}),
+                         std::runtime_error);
+            continue;
+        }
+        ResolvedBench<TypeParam> host(this->context, settings, outputs, shot, {32, 16});
+        host.bench->setTriangles(shot.triangles);
+        host.bench->rgb();
+        const std::vector<glm::vec3> kinds = host.images.read(0);
+        for (size_t i = 0; i < Cases::pixels; ++i) {
+            const bool isEither = i % 32 == 8;
+            EXPECT_TRUE(std::abs(kinds[i].x - 7) < 1e-5f || std::abs(kinds[i].x - 3) < 1e-5f) << kinds[i].x;
+            EXPECT_TRUE(isEither || std::abs(kinds[i].x - (i % 32 < 8 ? 3.0f : 7.0f)) < 1e-5f) << "pixel " << i;
+        }
+    }
+}
+
+// A view with outputs has the image of a view without.
 TYPED_TEST_P(ResolvedOutputCases, ImageStaysTheSame) {
     using Cases = ResolvedOutputCases<TypeParam>;
     for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
@@ -184,6 +254,7 @@ TYPED_TEST_P(ResolvedOutputCases, ImageStaysTheSame) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples, ImageStaysTheSame);
+REGISTER_TYPED_TEST_SUITE_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples, ValuesNeedNoOthers,
+                            UnfilteredValuesAreNotMixed, ImageStaysTheSame);
 
 } // namespace agaa::test

@@ -52,6 +52,13 @@ VkSampler createSampler(VkDevice device, const QSSGRenderCustomMaterial::Texture
     return sampler;
 }
 
+bool areSampledAlike(const QSSGRenderCustomMaterial::TextureProperty& a,
+                     const QSSGRenderCustomMaterial::TextureProperty& b) {
+    return a.minFilterType == b.minFilterType && a.magFilterType == b.magFilterType &&
+           a.mipFilterType == b.mipFilterType && a.horizontalClampType == b.horizontalClampType &&
+           a.verticalClampType == b.verticalClampType;
+}
+
 } // namespace
 
 void require(int64_t result, const char* call) {
@@ -158,14 +165,14 @@ bool MeshRenderer::describeMaterial(const QSSGRenderCustomMaterial& material, st
 /* Returns the index of a texture in the descriptor set, in which no element may stay empty. No frame is unfinished. */
 size_t MeshRenderer::textureIndex(VkImage image, const QSSGRenderCustomMaterial::TextureProperty& property) {
     for (size_t i = 0; i < m_textures.size(); ++i)
-        if (m_textures[i].image == image)
+        if (m_textures[i].image == image && areSampledAlike(m_textures[i].property, property))
             return i;
     if (m_textures.size() == maxTextures)
         throw std::runtime_error("The scene has too many textures.");
     VkImageViewCreateInfo info = {VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
     info.image = image, info.viewType = VK_IMAGE_VIEW_TYPE_2D, info.format = VK_FORMAT_R8G8B8A8_UNORM;
     info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, 1};
-    Texture texture = {image, VK_NULL_HANDLE, createSampler(m_device, property)};
+    Texture texture = {image, VK_NULL_HANDLE, createSampler(m_device, property), property};
     require(vkCreateImageView(m_device, &info, nullptr, &texture.view), "vkCreateImageView");
     const auto first = uint32_t(m_textures.size());
     const std::vector<VkDescriptorImageInfo> images(

@@ -54,6 +54,7 @@ private:
         VkImage image;
         VkImageView view;
         VkSampler sampler;
+        QSSGRenderCustomMaterial::TextureProperty property; // by which the image is sampled
     };
     bool describeMaterial(const QSSGRenderCustomMaterial& material, std::string& text);
     size_t textureIndex(VkImage image, const QSSGRenderCustomMaterial::TextureProperty& property);

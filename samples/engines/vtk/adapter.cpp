@@ -229,6 +229,8 @@ void Adapter::addLights(vtkRenderer& renderer) {
         vtkMath::Subtract(target, position, direction);
         vtkMath::Normalize(direction);
         const double fall = light->GetPositional() ? light->GetAttenuationValues()[2] : 1.0;
+        if (!(fall > 0))
+            throw std::runtime_error("A light of the scene does not fall off with the square of the distance.");
         for (int i = 0; i < 3; ++i) {
             each.position[i] = float(position[i]);
             each.direction[i] = float(direction[i]);

@@ -1,6 +1,5 @@
 /* Connects VTK 9.1 to the AGAA SDK. docs/integration/engines.md describes the order of calls.
- * SPDX-License-Identifier: MIT
- */
+ * SPDX-License-Identifier: MIT */
 #pragma once
 
 #include "agaa_gl.h"

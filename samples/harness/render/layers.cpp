@@ -17,7 +17,8 @@ LayerConstants layerConstants(const CameraMatrices& camera, const glm::dmat4& ra
     layers.toClip = glm::mat4(rasterised * camera.view);
     layers.right = glm::vec4(glm::dvec4(toShading[0], 0));
     layers.up = glm::vec4(glm::dvec4(toShading[1], 0));
-    layers.depth = {float(camera.projection[2][2]), float(camera.projection[3][2]), 0, 0};
+    layers.depth = {float(camera.projection[2][2]), float(camera.projection[3][2]), camera.viewer.w == 0 ? 1.0f : 0.0f,
+                    0};
     layers.quads[0] = {at({0.2, 0, -1}, 0.25), {0.1f, 0.3f, 0.35f, 0.5f}, {1.2f, 0, float(0.01 * distance), 0}};
     std::mt19937 random(7); // its sequence is the same everywhere, unlike those of distributions
     const auto between = [&](double from, double to) { return from + (to - from) * double(random()) / 4294967295.0; };

@@ -6,7 +6,10 @@ layout(location = 0) in vec2 quadPlace;
 layout(location = 1) flat in int quadIndex;
 layout(location = 0) out vec4 premultiplied;
 
-float distanceOf(float depth) { return abs(layers.depth.y) / max(abs(depth + layers.depth.x), 1e-12); }
+float distanceOf(float depth) {
+    return layers.depth.z != 0.0 ? (layers.depth.y - depth) / layers.depth.x
+                                 : abs(layers.depth.y) / max(abs(depth + layers.depth.x), 1e-12);
+}
 
 void main() {
     LayerQuad quad = layers.quads[quadIndex];

@@ -11,6 +11,6 @@ layout(std140, AT(0)) uniform Layers {
     mat4 toClip; // from shading space
     vec4 right;  // of the image, in shading space
     vec4 up;
-    vec4 depth; // elements 2, 2 and 3, 2 of the projection to depths in [0, 1]
+    vec4 depth; // elements 2, 2 and 3, 2 of the projection to depths in [0, 1]; 1 if it is orthographic
     LayerQuad quads[LAYER_QUADS];
 } layers;

@@ -34,8 +34,10 @@ struct Values {
     }
 };
 
-// Codes of values that are not averaged fit a word.
-uint32_t codeBits(const AgaaLayoutAttribute& attribute) { return std::min(16u, 32 / attribute.channels); }
+// Codes of values that are not averaged fit a word. Samples of more bits lose some, as in aggregates.
+uint32_t codeBits(const AgaaLayoutAttribute& attribute) {
+    return std::min(attribute.sampleBits, 32 / attribute.channels);
+}
 
 // Expressions of the channels of a texel. Those that a value lacks are 0, and alpha is 1.
 struct Texel {
@@ -172,6 +174,18 @@ void clearSums(PlanBuilder& b) {
         }
 }
 
+// Aggregates in memory keep one sample's value of such attributes. Means of fetched materials and merged surfaces do
+// not.
+void checkFilters(const ResolvedView& view) {
+    for (const ResolvedOutput& output : view.resolvedOutputs)
+        if (resolvesCustom(output) && output.attribute.filter == AGAA_FILTER_NONE)
+            fail(
+                AGAA_ERROR_UNSUPPORTED,
+                format("an output of AgaaResolvedOutputs is an attribute with AGAA_FILTER_NONE, and \"%s\" averages it "
+                       "with these settings; select a tier with aggregates in memory or a G-buffer.",
+                       view.technique->name));
+}
+
 } // namespace
 
 void sumEvents(PlanBuilder& b, Pass& pass) {
@@ -181,11 +195,14 @@ void sumEvents(PlanBuilder& b, Pass& pass) {
         fail(AGAA_ERROR_UNSUPPORTED,
              format("\"%s\" keeps no materials, which the outputs NORMAL and CUSTOM of AgaaResolvedOutputs need.",
                     b.view().technique->name));
+    if (!pass.compute().shadesAggregates)
+        checkFilters(b.view());
     const Values values = valuesOf(b);
     std::string& defines = pass.compute().defines;
     defines += "#define AGAA_RESOLVES_EVENTS 1\n" + definesOf(values);
     const uint32_t channels = customChannels(b.view().layout);
-    if (channels && !b.view().shadingFunction) // which defines it, too
+    if (std::ranges::any_of(b.view().resolvedOutputs, resolvesCustom) &&
+        !b.view().shadingFunction) // which defines it, too
         defines += format("#define AGAA_SHADES_CUSTOM %u\n", channels);
     b.bind(pass, slot::ResolvedSums, BindingType::StorageBuffer, sumsOf(b, values), true);
     compileWithView(pass);
@@ -210,12 +227,14 @@ void resolveOutputs(PlanBuilder& b) {
         b.bind(pass, slot::ResolvedSums, BindingType::StorageBuffer, sumsOf(b, values));
     for (uint32_t i = 0; i < b.view().resolvedOutputs.size(); ++i)
         b.bind(pass, slot::Resolved0 + i, BindingType::StorageImage, b.resolvedOutput(i), true);
-    pass.compute().defines += definesOf(values) + "#define AGAA_RESOLVED_IMAGES " + values.images +
-                              "\n#define AGAA_STORE_VALUES(at) " + values.store + "\n#define AGAA_SUMMED_DEPTHS " +
-                              values.summedDepths +
-                              format("\n#define AGAA_RESOLVES_SAMPLES %d\n#define AGAA_RESOLVES_SUMS %d\n"
-                                     "#define AGAA_RESOLVES_DEPTHS %d\n",
-                                     readsSamples(b), readsSums(b), hasDepths(b));
+    std::string& defines = pass.compute().defines;
+    defines += definesOf(values) + "#define AGAA_RESOLVED_IMAGES " + values.images +
+               "\n#define AGAA_STORE_VALUES(at) " + values.store +
+               format("\n#define AGAA_RESOLVES_SAMPLES %d\n#define AGAA_RESOLVES_SUMS %d\n"
+                      "#define AGAA_RESOLVES_DEPTHS %d\n",
+                      readsSamples(b), readsSums(b), hasDepths(b));
+    if (!values.summedDepths.empty())
+        defines += "#define AGAA_SUMMED_DEPTHS " + values.summedDepths + "\n";
     compileWithView(pass);
 }
 

@@ -19,6 +19,8 @@ struct ResolvedOutput {
     bool isOfSurfaces() const { return value == AGAA_RESOLVED_NORMAL || value == AGAA_RESOLVED_CUSTOM; }
 };
 
+inline bool resolvesCustom(const ResolvedOutput& output) { return output.value == AGAA_RESOLVED_CUSTOM; }
+
 // Returns the outputs that are chained to the description, in the order of the host. Throws Error if they are not
 // valid.
 std::vector<ResolvedOutput> readResolvedOutputs(const AgaaViewDesc& desc, const Layout& layout);

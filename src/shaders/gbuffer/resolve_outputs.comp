@@ -118,7 +118,7 @@ void agaa_resolvePixel(uvec2 pixel) {
 #endif
 #if AGAA_RESOLVES_DEPTHS
     agaa_resolveSamples(pixel);
-#else
+#elif defined(AGAA_SUMMED_DEPTHS)
     if (agaa_sums[0] != 0u)
         agaa_setDepths(AGAA_SUMMED_DEPTHS);
 #endif

@@ -69,6 +69,41 @@ void testSizes(Test& test) {
     }
 }
 
+void testResolvedTextures(Test& test) {
+    AgaaResolvedOutputs outputs = AGAA_RESOLVED_OUTPUTS_INIT;
+    Rig rig(test, [&](ViewDescription& d) { d.desc.pNext = &outputs; });
+    rig.device().setResolvedOutputs(1);
+    const Image expected = rig.render();
+    struct Row {
+        GLenum target, format;
+        GLsizei width, height;
+        AgaaResult code;
+        const char* what;
+    };
+    for (const Row& row : {Row{GL_TEXTURE_2D, GL_R32F, 31, 24, AGAA_ERROR_OUT_OF_RANGE, "a texture of 31x24"},
+                           {GL_TEXTURE_2D, GL_R32F, 32, 23, AGAA_ERROR_OUT_OF_RANGE, "a texture of 32x23"},
+                           {GL_TEXTURE_2D, GL_RGBA32UI, 32, 24, AGAA_ERROR_UNSUPPORTED, "a texture of integers"},
+                           {GL_TEXTURE_2D, GL_DEPTH_COMPONENT32F, 32, 24, AGAA_ERROR_UNSUPPORTED, "a depth texture"},
+                           {GL_TEXTURE_2D_ARRAY, GL_R32F, 32, 24, AGAA_ERROR_INVALID_ARGUMENT, "an array"}}) {
+        const ScopedTexture texture(row.target, row.format, row.width, row.height);
+        AgaaGlResolvedTextures textures = AGAA_GL_RESOLVED_TEXTURES_INIT;
+        textures.textures[0] = texture.name;
+        AgaaFrame frame = rig.nextFrame();
+        expectFrameRefused(rig, frame,
+                           {row.code, rig.function() + " with " + row.what + " for an output", "textures[0]"}, expected,
+                           changed([&](AgaaGlFrame& f) { f.pNext = &textures; }));
+    }
+    for (const GLenum format : {GL_R32F, GL_R16, GL_RGBA16F}) {
+        const ScopedTexture texture(GL_TEXTURE_2D, format, 40, 30);
+        AgaaGlResolvedTextures textures = AGAA_GL_RESOLVED_TEXTURES_INIT;
+        textures.textures[0] = texture.name;
+        AgaaFrame frame = rig.nextFrame();
+        test.requireOk(rig.record(frame, changed([&](AgaaGlFrame& f) { f.pNext = &textures; })),
+                       rig.function() + " with an output of format " + std::to_string(format));
+    }
+    rig.device().setResolvedOutputs(0);
+}
+
 void testShadowWithoutDepth(Test& test) {
     Rig rig(test, [](ViewDescription& description) { description.facts.shadowMapCount = 1; });
     const Image expected = rig.render();
@@ -168,6 +203,7 @@ void testFeedback(Test& test) {
 void addGlArgumentCases(Suite& suite) {
     const std::vector<Backend> gl = {Backend::OpenGl};
     suite.add("agaaGlRecordFrame/AGAA_ERROR_UNSUPPORTED", gl, testFormats);
+    suite.add("agaaGlRecordFrame/AGAA_ERROR_UNSUPPORTED/resolved_textures", gl, testResolvedTextures);
     suite.add("agaaGlRecordFrame/AGAA_ERROR_OUT_OF_RANGE/output_size", gl, testSizes);
     suite.add("agaaGlRecordFrame/AGAA_ERROR_INVALID_ARGUMENT/shadow_without_depth", gl, testShadowWithoutDepth);
     suite.add("agaaGlRecordFrame/AGAA_ERROR_WRONG_ORDER/transform_feedback", gl, testFeedback);

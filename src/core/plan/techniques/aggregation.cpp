@@ -57,8 +57,9 @@ Layout surfaceLayout(const ViewSettings& view) {
         attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
     }
     for (CustomAttribute& custom : layout.customs)
-        custom.attribute.aggregateBits = std::max(custom.attribute.sampleBits, 6u);
-    if (!view.shadingFunction && std::ranges::none_of(view.resolvedOutputs, &ResolvedOutput::isOfSurfaces))
+        if (custom.attribute.filter != AGAA_FILTER_NONE) // whose channels must fit a word
+            custom.attribute.aggregateBits = std::max(custom.attribute.sampleBits, 6u);
+    if (!view.shadingFunction && std::ranges::none_of(view.resolvedOutputs, resolvesCustom))
         layout.customs.clear(); // no shader reads them: agaaGetAggregateGlsl() is for "agaa"
     return layout;
 }
