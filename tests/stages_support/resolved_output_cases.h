@@ -179,9 +179,7 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
 // Each value alone has the texels that it has beside others.
 TYPED_TEST_P(ResolvedOutputCases, ValuesNeedNoOthers) {
     using Cases = ResolvedOutputCases<TypeParam>;
-    for (const TechniqueTier& tier : {TechniqueTier{.technique = "ssaa", .n = 8},
-                                      {.technique = "msaa", .n = 4},
-                                      {.technique = "agaa", .n = 8},
+    for (const TechniqueTier& tier : {TechniqueTier{.technique = "msaa", .n = 4},
                                       {.technique = "agaa", .n = 8, .tier = AGAA_TIER_IDS},
                                       {.technique = "agaa", .n = 64, .tier = AGAA_TIER_FRAGMENTS},
                                       {.technique = "dcaa", .n = 64, .tier = AGAA_TIER_MATERIAL_LISTS}}) {

@@ -106,8 +106,8 @@ struct agaa_Event {
 } agaa_event; // that is shaded
 #endif
 
-// Describes the event to shading functions of the host and to resolved outputs. samples: that the event represents, bits
-// as in AgaaSurface.
+// Describes the event to shading functions of the host and to resolved outputs. samples: that it represents, bits as in
+// AgaaSurface.
 void agaa_setEvent(uvec2 pixel, uvec4 samples) {
 #ifdef AGAA_DESCRIBES_EVENTS
     ivec4 counts = bitCount(samples);

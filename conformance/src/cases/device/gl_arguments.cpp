@@ -90,8 +90,9 @@ void testResolvedTextures(Test& test) {
         textures.textures[0] = texture.name;
         AgaaFrame frame = rig.nextFrame();
         expectFrameRefused(rig, frame,
-                           {row.code, rig.function() + " with " + row.what + " for an output", "textures[0]"}, expected,
-                           changed([&](AgaaGlFrame& f) { f.pNext = &textures; }));
+                           {row.code, rig.function() + " with " + row.what + " for an output", "textures[0]",
+                            row.target != GL_TEXTURE_2D},
+                           expected, changed([&](AgaaGlFrame& f) { f.pNext = &textures; }));
     }
     for (const GLenum format : {GL_R32F, GL_R16, GL_RGBA16F}) {
         const ScopedTexture texture(GL_TEXTURE_2D, format, 40, 30);
