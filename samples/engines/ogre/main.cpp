@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "adapter.h"
-#include "gl_state.h"
+#include "common/gl_state.h"
 #include "scene.h"
 #include "shaders.h"
 

@@ -5,7 +5,7 @@
  */
 #include "adapter.h"
 #include "egl_window.h"
-#include "gl_state.h"
+#include "common/gl_state.h"
 #include "passes.h"
 #include "scene.h"
 

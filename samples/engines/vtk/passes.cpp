@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "passes.h"
 
-#include "gl_state.h"
+#include "common/gl_state.h"
+#include "vtk_state.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "gl_state.h"
+#include "common/gl_state.h"
 
-#include <RenderSystems/GL3Plus/OgreGL3PlusPrerequisites.h>
+#include "engine_gl.h"
 
 #include <cstdio>
 
@@ -123,7 +123,7 @@ constexpr unsigned textureUnits = 24, indexedBindings = 8;
 
 unsigned severe = 0;
 
-void APIENTRY onMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
+void ENGINE_GL_CALL onMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
     if (severity != GL_DEBUG_SEVERITY_HIGH)
         return;
     ++severe;
