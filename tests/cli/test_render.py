@@ -236,6 +236,29 @@ class Render(unittest.TestCase):
         self.assertEqual(data["flip"], 0)
         self.assertTrue(os.path.exists(self.path("d.png")))
 
+    def test_values_of_pixels(self):
+        values = ("nearest-depth", "mean-depth", "normal", "coverage")
+        plain = self.render("--exr", self.path("plain.exr"))
+        resolved = self.render("--exr", self.path("image.exr"), "--resolve", ",".join(values))
+        self.assertEqual(resolved["apiMessages"], [])
+        self.assertEqual(resolved["bytesPerPixel"] - plain["bytesPerPixel"], 16)  # a count and three sums
+        self.assertEqual(harness.data("compare", self.path("plain.exr"), self.path("image.exr"))["maxAbs"], 0)
+        files = [self.path(f"image-{value}.exr") for value in values]
+        for i, first in enumerate(files):
+            for second in files[i + 1:]:
+                self.assertGreater(harness.data("compare", first, second)["maxAbs"], 0, (first, second))
+        refused = harness.run("render", "--backend", self.backend, "--scene", "metal", "--size", "48x27", "--technique",
+                              "msaa", "--resolve", "normal")
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn("msaa", refused.stderr)
+        self.assertNotEqual(harness.run("render", "--resolve", "velocity").returncode, 0)
+
+    def test_layers_are_drawn_over_the_image(self):
+        self.render("--exr", self.path("plain.exr"))
+        data = self.render("--layers", "--exr", self.path("layers.exr"))
+        self.assertEqual(data["apiMessages"], [])
+        self.assertGreater(harness.data("compare", self.path("plain.exr"), self.path("layers.exr"))["maxAbs"], 0.05)
+
     def test_presets(self):
         expected = {"paper": (None, 2), "fast": ("ids", 1), "balanced": ("ids", 4), "accurate": ("ids", 4)}
         for preset, (tier, aggregates) in self.shared(expected.items()):
@@ -386,12 +409,13 @@ class RenderOnOpenGl(Render):
     share = 1
 
     def test_both_backends_agree(self):
-        self.render("--exr", self.path("gl.exr"))
-        self.backend = "vk"
-        self.render("--exr", self.path("vk.exr"))
-        data = harness.data("compare", self.path("vk.exr"), self.path("gl.exr"))
-        self.assertLess(data["meanAbsTm"], 0.5 / 255)
-        self.assertLessEqual(data["above4of255"], 0.001)
+        for layers in ([], ["--layers"]):
+            for backend in ("gl", "vk"):
+                self.backend = backend
+                self.render(*layers, "--exr", self.path(backend + ".exr"))
+            data = harness.data("compare", self.path("vk.exr"), self.path("gl.exr"))
+            self.assertLess(data["meanAbsTm"], 0.5 / 255)
+            self.assertLessEqual(data["above4of255"], 0.001)
 
 
 if __name__ == "__main__":
