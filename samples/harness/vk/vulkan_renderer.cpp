@@ -74,16 +74,15 @@ AgaaView VulkanRenderer::useView(const AgaaViewDesc& desc) {
 
 void VulkanRenderer::prepare(const FrameInput& input) {
     const RenderSettings& settings = input.settings;
+    layers_.reset(); // it refers to the images
     if (!output_ || output_->width() != settings.width || output_->height() != settings.height) {
         output_.reset();
         output_.emplace(device_, settings.width, settings.height);
-        layers_.reset();
         resolved_.clear();
     }
     const size_t count = resolvedValues(settings).size();
     while (resolved_.size() < count)
         resolved_.emplace_back(device_, settings.width, settings.height);
-    layers_.reset();
     if (settings.hasLayers)
         layers_.emplace(device_, *output_, resolved_[count - 2], resolved_[count - 1]);
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera, input.placement);
