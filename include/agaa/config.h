@@ -40,6 +40,16 @@ typedef enum AgaaFilter {
                                measures how well the vectors agree */
     AGAA_FILTER_NONE = 2,   /* the value of one sample: the one with the largest code of channel 0, then of channel 1,
                                and so on. Values are in [0, range]; all channels of an aggregate fit 32 bits */
+    /* 1 channel, the number of a material class: an integer in [0, 255]. aggregateBits is 0 or 8, and range 255; a
+     * layout has one at most. "agaa" puts no samples of different classes into one aggregate as long as
+     * AgaaConfig::aggregates allows it. Where a pixel has more classes, those with the fewest samples join the most
+     * similar aggregates of others. An aggregate has the class of more than half of its samples, or one of theirs.
+     * AgaaCounters::joinedClasses counts the samples that joined, except with one aggregate. The tier FRAGMENTS gives
+     * aggregates to the classes of a pixel's 32 largest fragments. With two geometry passes, the shaders of the
+     * visibility pass set the attribute, too (AGAA_NEEDS_MATERIAL is 1). In other techniques, surfaces of several
+     * classes may be shaded together: as the class of the sample that represents them or, in "dcaa", of the larger
+     * part at each merge. agaaApplyPreset() selects one more aggregate. */
+    AGAA_FILTER_CLASS = 3,
     AGAA_FILTER_MAX_ENUM = 0x7FFFFFFF
 } AgaaFilter;
 
@@ -422,7 +432,8 @@ AGAA_API void AGAA_CALL agaaInitMeasurement(AgaaMeasurement* outMeasurement, siz
  *               two exceptions: each sample goes to its own aggregate (AGAA_MEASURE_FIRST_SAMPLE_ROUTING), and k
  *               keeps its value (10 cm in the paper).
  * config        Receives technique, aggregates, surface…, shadowTaps, ndf, and the flags SPLIT_SURFACES and
- *               FINE_MATERIALS. All other members keep their values.
+ *               FINE_MATERIALS. All other members keep their values. If its layout, which is
+ *               read, has AGAA_FILTER_CLASS, aggregates is one more than the preset has, up to 4.
  * aggregation   Receives aggregateThreshold, litShadows (the first shadow) and glossWeight. All other members keep
  *               their values. Chain it to config.
  * measurement   Receives seeds and the flags of filters and routing. All other members keep their values. Chain it

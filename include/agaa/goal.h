@@ -243,7 +243,8 @@ AGAA_API AgaaResult AGAA_CALL agaaChooseSettings(const AgaaViewDesc* view, const
  *
  * choice        Result of agaaChooseSettings.
  * config        Receives technique, samples, aggregates, both tiers, and the members that agaaApplyPreset sets;
- *               without a preset, these receive their defaults. All other members keep their values.
+ *               without a preset, these receive their defaults. aggregates is the choice's, also with
+ *               AGAA_FILTER_CLASS. All other members keep their values.
  * aggregation   Receives the members that agaaApplyPreset sets; without a preset, these receive their defaults.
  *               Chain it to config.
  * measurement   Receives seeds and the flags of filters and routing. Chain it to config. May be null.

@@ -25,9 +25,8 @@ typedef enum AgaaResolvedValue {
     AGAA_RESOLVED_NORMAL = 3,
     /* Red: the share of the pixel's samples that show geometry, [0, 1]. */
     AGAA_RESOLVED_COVERAGE = 4,
-    /* The channels of a custom attribute of the layout, combined by its AgaaFilter, or 0. AGAA_FILTER_NONE fails with
-     * AGAA_ERROR_UNSUPPORTED where shading events have means of all attributes: in "dcaa", and in "agaa" with the tiers
-     * IDS and FRAGMENTS, except for IDS with AGAA_CONFIG_BUFFERED. */
+    /* The channels of a custom attribute of the layout, combined by its AgaaFilter, or 0. AGAA_FILTER_CLASS is combined
+     * as AGAA_FILTER_NONE: the largest number of a class in the pixel. */
     AGAA_RESOLVED_CUSTOM = 5,
     AGAA_RESOLVED_VALUE_MAX_ENUM = 0x7FFFFFFF
 } AgaaResolvedValue;

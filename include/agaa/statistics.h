@@ -54,7 +54,9 @@ typedef struct AgaaCounters {
                                    more than 16. 0 for "msaa" */
     uint64_t lightEvaluations;  /* lights that shading events evaluated, shadowed or not, times shadingCost; "msaa"
                                    counts per fragment. With a debug view, "adaptive" counts its first samples only */
-    uint64_t reserved[2];       /* 0 */
+    uint64_t joinedClasses;     /* "agaa" with AGAA_FILTER_CLASS and two aggregates or more: samples whose class has no
+                                   aggregate of its own; tier FRAGMENTS: fragments */
+    uint64_t reserved[1];       /* 0 */
 } AgaaCounters;
 
 #define AGAA_MAX_PASSES 32
@@ -102,7 +104,7 @@ typedef struct AgaaFrameStatistics {
 #define AGAA_FRAME_STATISTICS_INIT                                                                                     \
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0,           \
-            {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, {0}}, 0, 0,                  \
+            {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, 0, {0}}, 0, 0,               \
             {{{0}, 0, 0, 0.0, {0, 0}}}, 0, 0, 0, 0.0, 0, 0                                                             \
     }
 AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatistics, size_t structSize);

@@ -283,5 +283,49 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
     }
 }
 
+// A layout, with which a class is the last of four attachments.
+AgaaLayout layoutWithClass() {
+    AgaaLayout layout = builtinLayout("precise");
+    layout.attributes[4] = {AGAA_SEMANTIC_CUSTOM, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 255, AGAA_FILTER_CLASS, "kind", {}};
+    return layout;
+}
+
+TEST(Presets, HaveAnAggregateMoreForClasses) {
+    const AgaaLayout layout = layoutWithClass();
+    for (const auto& [name, aggregates] : {std::pair{"paper", 3u}, {"fast", 2u}, {"balanced", 4u}, {"accurate", 4u}}) {
+        TechniqueConfig config;
+        config.layout = &layout;
+        ASSERT_EQ(config.applyPreset(name), AGAA_OK) << name;
+        EXPECT_EQ(config.aggregates, aggregates) << name;
+    }
+}
+
+// The prepass of two geometry passes has the class beside the normal; aggregates have a word more.
+TEST(Classes, ArePaidForWhereTheyAre) {
+    const AgaaLayout with = layoutWithClass();
+    AgaaLayout without = with;
+    --without.attributeCount;
+    for (const uint32_t tier : {AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_GBUFFER}) {
+        const auto bytesOf = [&](const AgaaLayout& layout, const char* name) {
+            ViewSpec spec;
+            spec.change = [&](TechniqueConfig& config) {
+                config.technique = "agaa";
+                config.generationTier = tier;
+                config.layout = &layout;
+            };
+            const Plan plan = planFor(spec, fourSampleDevice());
+            for (const Resource& resource : plan.resources)
+                if (resource.name == name)
+                    return resource.bytes;
+            return uint64_t(0);
+        };
+        EXPECT_EQ(bytesOf(with, "normals"), 2 * bytesOf(without, "normals")) << tier;
+        if (tier == AGAA_TIER_POST_DEPTH_ATOMICS) {
+            EXPECT_GT(bytesOf(with, "aggregates"), bytesOf(without, "aggregates"));
+            EXPECT_GT(bytesOf(with, "normals"), 0u);
+        }
+    }
+}
+
 } // namespace
 } // namespace agaa::test

@@ -104,6 +104,32 @@ TEST(Layout, RefusesNumbersOfSamplesWhoseSumsWouldCarry) {
         }
 }
 
+// The class has a word for itself, with room for the number of its samples above it.
+TEST(Layout, ClassesHaveAWordOfTheirOwn) {
+    AgaaLayout layout = builtinLayout("precise");
+    layout.attributeCount = 4; // no emission: attachments are four
+    addCustom(layout, "wind").filter = AGAA_FILTER_NONE;
+    AgaaLayoutAttribute& kind = addCustom(layout, "kind");
+    kind.channels = 1;
+    kind.sampleBits = 8;
+    kind.aggregateBits = 0;
+    kind.filter = AGAA_FILTER_CLASS;
+    kind.range = 255;
+    const Layout checked = checkLayout(&layout);
+    EXPECT_EQ(checked.classChannel(), 3u);
+    EXPECT_EQ(checked.customChannels(), 3u);
+    EXPECT_EQ(checked.unfilteredChannels(), 0x103u);
+    for (const uint32_t samples : {1u, 8u, 32u}) {
+        const AggregatePacking packing = packAggregate(checked, samples);
+        expectSound(packing, samples);
+        const Field& field = packing.fields[ChannelCustom2];
+        EXPECT_EQ(packing.classWord, field.word + 1);
+        EXPECT_EQ(field.bits, 8u);
+        EXPECT_EQ(field.shift, 0u);
+        EXPECT_EQ(packing.unfilteredWords, 1u << field.word | 1u << packing.fields[ChannelCustom0].word);
+    }
+}
+
 // The value of one sample is the largest word, so it has a word for itself, and its first channel the highest bits.
 TEST(Layout, UnfilteredAttributesHaveWordsOfTheirOwn) {
     AgaaLayout layout = builtinLayout("precise");
@@ -216,7 +242,7 @@ TEST(Layout, WrongLayoutsAreRefusedWithAReason) {
         {"custom of 32 letters", [](AgaaLayout& l) { addCustom(l, "abcdefghijklmnopqrstuvwxyzabcdef"); }},
         {"custom of five channels", [](AgaaLayout& l) { addCustom(l, "wind").channels = 5; }},
         {"custom normal of two channels", [](AgaaLayout& l) { addCustom(l, "wind").filter = AGAA_FILTER_NORMAL; }},
-        {"custom of an unknown filter", [](AgaaLayout& l) { addCustom(l, "wind").filter = 3; }},
+        {"custom of an unknown filter", [](AgaaLayout& l) { addCustom(l, "wind").filter = AGAA_FILTER_CLASS + 1; }},
         {"custom of 48 bits unfiltered",
          [](AgaaLayout& l) {
              AgaaLayoutAttribute& a = addCustom(l, "wind");

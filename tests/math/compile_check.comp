@@ -37,6 +37,7 @@
 #include "../../src/shaders/math/tile_batches.glsl"
 #include "../../src/shaders/math/edge_shares.glsl"
 #include "../../src/shaders/math/history.glsl"
+#define AGAA_CLASSES true
 #include "../../src/shaders/math/clustering.glsl"
 
 layout(local_size_x = 64) in;

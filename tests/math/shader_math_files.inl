@@ -81,8 +81,11 @@ struct FragmentLists {
 };
 
 struct Clustering {
+    bool hasClasses = false;
+#define AGAA_CLASSES hasClasses
 #include "../../src/shaders/math/clustering.glsl"
 #include "../../src/shaders/math/sbaa_surfaces.glsl"
+#undef AGAA_CLASSES
 };
 
 struct KeptSurfaces {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fragments_cases.h"
+#include "material_class_cases.h"
 #include "shown.h"
 
 #include "core/abi/handles.h"
@@ -28,6 +29,7 @@ struct LaneRow {
     bool hasManyFragments = false;       // manyFragmentsInTile() with c above 2, otherwise manyFragments()
     uint64_t adaptive = 0;               // AGAA_ADAPTIVE_…
     float targetEvents = 0;
+    bool hasClasses = false;       // five of them, with two in most pixels
     bool hasShadow = *preset != 0; // of the first light
 
     bool isMerging() const { return std::strcmp(technique, "dcaa") == 0 && !isExact; }
@@ -40,7 +42,8 @@ inline std::ostream& operator<<(std::ostream& out, const LaneRow& row) {
                << row.preset << " flags=" << row.flags << (row.isMixed ? " some unfetched" : "")
                << " seeds=" << row.seeds << " merge=" << row.merge << " ndf=" << row.ndf
                << (row.isExact ? " exact" : "") << (row.hasManyFragments ? " many fragments" : "")
-               << " adaptive=" << row.adaptive << " target=" << row.targetEvents << (row.hasShadow ? " shadow" : "");
+               << (row.hasClasses ? " classes" : "") << " adaptive=" << row.adaptive << " target=" << row.targetEvents
+               << (row.hasShadow ? " shadow" : "");
 }
 
 constexpr uint64_t adaptiveBoth = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
@@ -82,6 +85,11 @@ protected:
             settings.chained = &function;
         if (row.isMixed)
             settings.shader = ViewSettings::Shader::ThirdUnfetched;
+        const AgaaLayout layout = layoutWithClass();
+        if (row.hasClasses) {
+            settings.config.layout = &layout;
+            settings.surface = "s.kind = floor(fract(7.0 * s.diffuse.x) * 5.0);";
+        }
         const AgaaShadow shadow{};
         Shot shot{.triangles = randomTriangles({.triangles = 150, .duplicates = 0.1f, .masked = 0.2f}, 61),
                   .change =
@@ -90,6 +98,8 @@ protected:
                           frame.shadowCount = hasShadow;
                       },
                   .fetchFlags = row.isMixed ? AGAA_FETCH_NOT_ALL_DRAWS : 0};
+        if (row.hasClasses)
+            shot.material = "m.kind = floor(fract(7.0 * m.diffuse.x) * 5.0);";
         for (size_t i = 0; i < shot.triangles.size(); i += 2)
             shot.triangles[i].material.normal.w = 2e-3f; // glossy, so that normals are weighed
         shot.lights[0].shadowMap = hasShadow ? 0 : AGAA_NO_SHADOW;
@@ -111,6 +121,9 @@ protected:
         EXPECT_GT(isAdaptive ? pixel.counters.shadingEvents : pixel.counters.aggregates,
                   pixel.counters.shadedPixels * (isAdaptive || row.c > 1))
             << row;
+        if (row.hasClasses) {
+            EXPECT_GT(pixel.counters.joinedClasses, 0u) << row;
+        }
         if (row.isMerging()) {
             EXPECT_GT(pixel.counters.mergedSecond + pixel.counters.discarded, 0u) << row;
         }
@@ -171,12 +184,25 @@ TYPED_TEST_P(LaneCases, ShowTheSame) {
           LaneRow{"agaa", AGAA_TIER_GBUFFER, 4, 3}, LaneRow{"agaa", AGAA_TIER_IDS, 8, 4, 0, "accurate"},
           LaneRow{"sbaa", AGAA_TIER_GBUFFER, 8, 3},
           LaneRow{.technique = "agaa", .tier = AGAA_TIER_FRAGMENTS, .n = 64, .c = 2, .hasManyFragments = true},
+          LaneRow{.technique = "agaa", .tier = AGAA_TIER_GBUFFER, .n = 8, .c = 2, .hasClasses = true},
+          LaneRow{.technique = "agaa",
+          .tier = AGAA_TIER_IDS,
+          .n = 8,
+          .c = 3,
+          .seeds = AGAA_SEEDS_SUM_OF_SQUARES,
+          .hasClasses = true},
+          LaneRow{.technique = "agaa",
+          .tier = AGAA_TIER_FRAGMENTS,
+          .n = 64,
+          .c = 2,
+          .hasManyFragments = true,
+          .hasClasses = true},
           LaneRow{.technique = "dcaa", .tier = AGAA_TIER_MATERIAL_LISTS, .n = 64, .c = 1, .isExact = true},
           adaptiveRow(AGAA_TIER_IDS, 8, adaptiveBoth, 3),
           adaptiveRow(AGAA_TIER_GBUFFER, 4, adaptiveBoth | AGAA_ADAPTIVE_BUCKETS)})
         variants += this->compareLanes(row);
     std::printf("%u variants, subgroups of %u lanes\n", variants, this->context.caps().subgroupSize);
-    EXPECT_GE(variants, 16u);
+    EXPECT_GE(variants, 22u);
 }
 
 // Each number of samples and of aggregates, each tier and each flag occurs here or in ShowTheSame.

@@ -60,12 +60,6 @@ protected:
     static inline const AgaaLayout layout = layoutWithKind();
 
     static bool resolvesSurfaces(const TechniqueTier& tier) { return tier.technique != std::string("msaa"); }
-    // Returns whether the tier keeps values of AGAA_FILTER_NONE: in a G-buffer or in aggregates in memory.
-    static bool keepsValues(const TechniqueTier& tier) {
-        const bool byIds =
-            fetches(tier) && tier.technique == std::string("agaa") && !(tier.flags & AGAA_CONFIG_BUFFERED);
-        return resolvesSurfaces(tier) && tier.technique != std::string("dcaa") && !byIds;
-    }
 
     static ViewSettings settingsOf(const TechniqueTier& tier, bool isReversed = false) {
         ViewSettings settings = pixelView({tier.technique, tier.n});
@@ -106,7 +100,7 @@ protected:
             for (const AgaaResolvedOutput& of : {AgaaResolvedOutput{AGAA_RESOLVED_NORMAL, 0, nullptr},
                                                  AgaaResolvedOutput{AGAA_RESOLVED_CUSTOM, 0, "velocity"}})
                 outputs.push_back(of);
-        if (keepsValues(tier))
+        if (resolvesSurfaces(tier))
             outputs.push_back({AGAA_RESOLVED_CUSTOM, 0, "kind"});
         return outputs;
     }
@@ -165,8 +159,7 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
             compare("normal z", values[3][i].z, (groundShare * 0.8 + share) / total, 3e-5, i);
             compare("velocity x", values[4][i].x, (groundShare * 0.125 + share) / total, 5e-5, i);
             compare("velocity y", values[4][i].y, (groundShare * 0.25 + share) / total, 5e-5, i);
-            if (Cases::keepsValues(tier))
-                compare("kind", values[5][i].x, showsPanel ? 7 : hasGround ? 3 : 0, 1e-6, i);
+            compare("kind", values[5][i].x, showsPanel ? 7 : hasGround ? 3 : 0, 1e-6, i);
         }
         EXPECT_GE(mixed, tier.n > 1 ? 40u : 0u);
         if (testing::Test::HasFailure())
@@ -201,8 +194,7 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesNeedNoOthers) {
     }
 }
 
-// An attribute that is not averaged keeps one of its values where two materials are one surface. Tiers that average it
-// refuse it.
+// An attribute that is not averaged keeps one of its values where two materials are one surface.
 TYPED_TEST_P(ResolvedOutputCases, UnfilteredValuesAreNotMixed) {
     using Cases = ResolvedOutputCases<TypeParam>;
     for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
@@ -217,11 +209,6 @@ TYPED_TEST_P(ResolvedOutputCases, UnfilteredValuesAreNotMixed) {
         shot.triangles = rectangle(0, 0, 8.4f, 16, 5, facing({0.125f, 0.25f, 0.125f}));
         for (const Triangle& t : rectangle(8.4f, 0, 32, 16, 5, facing({1, 1, 1})))
             shot.triangles.push_back(t);
-        if (!Cases::keepsValues(tier)) {
-            EXPECT_THROW(ResolvedBench<TypeParam>(this->context, settings, outputs, shot, {32, 16}),
-                         std::runtime_error);
-            continue;
-        }
         ResolvedBench<TypeParam> host(this->context, settings, outputs, shot, {32, 16});
         host.bench->setTriangles(shot.triangles);
         host.bench->rgb();

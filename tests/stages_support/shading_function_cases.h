@@ -103,7 +103,9 @@ TYPED_TEST_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame) {
         if (!isRendered || shadesAsOthers || !runs(tier, this->context.caps()))
             continue;
         SCOPED_TRACE(tier);
-        const ViewSettings settings = this->settingsOf(tier);
+        ViewSettings settings = this->settingsOf(tier);
+        settings.config.ndf =
+            setting % 4 < 2 && !tier.layout ? AGAA_NDF_LEAN : AGAA_NDF_TOKSVIG; // with round lobes, too
         const Shown builtIn = this->showWith(settings, shot, nullptr, AGAA_SHADING_EVENT);
         EXPECT_GT(sumOf(builtIn.rgb), 0);
         for (const auto& [glsl, level] :
@@ -234,6 +236,53 @@ TYPED_TEST_P(ShadingFunctionCases, MasksLeaveHalfOfTheSamples) {
     }
 }
 
+// The moments of unit normals add up to 1, contain the mean normal, and are those of one direction where normals agree.
+TYPED_TEST_P(ShadingFunctionCases, MomentsAreThoseOfUnitNormals) {
+    const char* const glsl = R"(
+vec3 agaaShade(AgaaSurface s) {
+    vec3 n = s.normal, squares = s.normalSquares, products = s.normalProducts;
+    float trace = squares.x + squares.y + squares.z;
+    float along = dot(squares, n * n) + 2.0 * dot(products, n.yzx * n.zxy);
+    float above = s.materialAlpha2 - s.alpha2 * 1.0001 - 1e-6;
+    return vec3(abs(trace - 1.0), max(s.normalLength * s.normalLength - along, 0.0), max(above, 0.0)) +
+           (any(isnan(products)) ? vec3(1e3) : vec3(0.0));
+}
+)";
+    const char* const spread = R"(
+vec3 agaaShade(AgaaSurface s) {
+    vec3 n = s.normal;
+    float along = dot(s.normalSquares, n * n) + 2.0 * dot(s.normalProducts, n.yzx * n.zxy);
+    return vec3(1.0 - s.normalLength, 1.0 - along, 0.0);
+}
+)";
+    Shot shot = this->shot(1);
+    shot.change = {};
+    for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
+        if (tier.layout || tier.isBatched || tier.isMixed || !runs(tier, this->context.caps()) ||
+            !rendersSetting<TypeParam>(setting++))
+            continue;
+        SCOPED_TRACE(tier);
+        for (const uint32_t ndf : {AGAA_NDF_TOKSVIG, AGAA_NDF_LEAN}) {
+            ViewSettings settings = this->settingsOf(tier, 1);
+            settings.config.ndf = ndf;
+            settings.facts.flags &= ~AGAA_FACT_EMISSIVE; // which "visibility" adds itself
+            const Shown errors = this->showWith(settings, shot, glsl, AGAA_SHADING_EVENT);
+            for (size_t i = 0; i < errors.rgb.size(); ++i)
+                ASSERT_LE(errors.rgb[i], i % 3 == 1 ? 2e-3f : 1e-4f) << i << " with NDF " << ndf;
+            if (tier.technique != std::string("agaa"))
+                continue;
+            const Shown spreads = this->showWith(settings, shot, spread, AGAA_SHADING_EVENT);
+            double shorter = 0, across = 0;
+            for (size_t i = 0; i < spreads.rgb.size(); i += 3) {
+                shorter += double(spreads.rgb[i]);
+                across += double(spreads.rgb[i + 1]);
+            }
+            EXPECT_GT(shorter, 1);      // normals spread
+            EXPECT_GT(across, shorter); // 1 - L^2 or more
+        }
+    }
+}
+
 // An attribute of the host that is a copy of another has the same mean, to the rounding of 8 and 16 bits.
 TYPED_TEST_P(ShadingFunctionCases, CustomAttributesAreMeansAsOthers) {
     const AgaaLayout layout = layoutWithVelocity();
@@ -339,7 +388,7 @@ TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
 
 REGISTER_TYPED_TEST_SUITE_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame, ShadowsAreThoseOfTheLibrary,
                             TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent, MasksLeaveHalfOfTheSamples,
-                            CustomAttributesAreMeansAsOthers, ResultsAreContainedAndCounted,
-                            BadOnesAreRefusedInASentence);
+                            MomentsAreThoseOfUnitNormals, CustomAttributesAreMeansAsOthers,
+                            ResultsAreContainedAndCounted, BadOnesAreRefusedInASentence);
 
 } // namespace agaa::test

@@ -160,6 +160,7 @@ json countersJson(const AgaaCounters& c) {
             {"sanitised", c.sanitised},
             {"shadingEvents", c.shadingEvents},
             {"lightEvaluations", c.lightEvaluations},
+            {"joinedClasses", c.joinedClasses},
             {"shadowTaps", c.shadowTaps},
             {"widenedLobes", c.widenedLobes},
             {"shadedPixels", c.shadedPixels},

@@ -129,10 +129,17 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     return out;
 }
 
-bool needsMaterial(const Pass& pass) {
+// Returns whether the pass writes the classes of samples beside their normals.
+bool writesClasses(const Plan& plan, const Pass& pass) {
+    const std::vector<ResourceId>& targets = pass.draw().colorTargets;
+    return pass.draw().id == AGAA_DRAW_PASS_VISIBILITY && pass.draw().sampleContent == SampleContent::Normal &&
+           !targets.empty() && plan.resources[targets[0]].format == Format::RGBA8;
+}
+
+bool needsMaterial(const Plan& plan, const Pass& pass) {
     if (pass.draw().id == AGAA_DRAW_PASS_FRAGMENTS)
         return pass.draw().fragmentContent != FragmentContent::Ids;
-    return pass.draw().id != AGAA_DRAW_PASS_VISIBILITY;
+    return pass.draw().id != AGAA_DRAW_PASS_VISIBILITY || writesClasses(plan, pass);
 }
 
 // Returns the macros of passes that pack attributes (aggregate/packing.glsl).
@@ -140,6 +147,7 @@ std::string packing(const Constants& c) {
     std::string out;
     define(out, "AGAA_MAX_WORDS", c[AGAA_WORDS]);
     define(out, "AGAA_UNFILTERED_WORDS", c[AGAA_UNFILTERED_WORDS]);
+    define(out, "AGAA_CLASS_WORD", c[AGAA_CLASS_WORD]);
     define(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
     define(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
     return out;
@@ -194,7 +202,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     // Helper invocations never store anything. The macro only saves work.
     out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n" : "#define AGAA_HELPER false\n";
     defineSwitch(out, "AGAA_PASS", pass.draw().id);
-    defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(pass));
+    defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(plan, pass));
     defineSwitch(out, "AGAA_SAMPLES", plan.view.samples);
     defineSwitch(out, "AGAA_HW_SAMPLES", pass.draw().state.samples);
     out += ownSamplePositions(plan, pass);
@@ -218,7 +226,9 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_SPREAD_WORDS", c[AGAA_SPREAD_WORDS]);
         defineSwitch(out, "AGAA_REPRESENTED", c[AGAA_STRIDE] != c[AGAA_WORDS] + c[AGAA_SPREAD_WORDS]);
         const auto isNormals = [](const Binding& binding) { return binding.slot == host_slot::Normals; };
-        defineSwitch(out, "AGAA_CHECKS_FAR_PLANE", std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
+        const bool hasNormals = std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals);
+        defineSwitch(out, "AGAA_CHECKS_FAR_PLANE", hasNormals && !plan.view.reversedZ);
+        defineSwitch(out, "AGAA_COUNTS_CLASSES", hasNormals && c[AGAA_CLASS_WORD]);
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
         out += packing(c);
     }
@@ -232,7 +242,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_DRAW_ORDER", (plan.view.coverage.flags & AGAA_COVERAGE_DRAW_ORDER) != 0);
         defineSwitch(out, "AGAA_HAS_DEPTH_PREPASS", (plan.view.coverage.flags & AGAA_COVERAGE_DEPTH_PREPASS) != 0);
     }
-    if (hasCorners && needsMaterial(pass)) {
+    if (hasCorners && needsMaterial(plan, pass)) {
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
         define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
         define(out, "AGAA_NDF", c[AGAA_NDF]);
@@ -244,6 +254,8 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_AGGREGATES", plan.view.aggregates);
         define(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         define(out, "AGAA_MERGE_RULE", c[AGAA_MERGE_RULE]);
+        define(out, "AGAA_UNFILTERED_CHANNELS", c[AGAA_UNFILTERED_CHANNELS]);
+        define(out, "AGAA_CLASS_CHANNEL", c[AGAA_CLASS_CHANNEL]);
     }
     defineSwitch(out, "AGAA_FIRST_PASS", pass.draw().clearsDepth);
     if (pass.draw().id == AGAA_DRAW_PASS_GBUFFER)
@@ -257,8 +269,12 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_MAX_PRIMITIVES", plan.view.maxPrimitives);
         define(out, "AGAA_PRIMITIVE_BITS", plan.view.primitiveBits);
     }
-    if (pass.draw().id == AGAA_DRAW_PASS_VISIBILITY)
+    if (pass.draw().id == AGAA_DRAW_PASS_VISIBILITY) {
         defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.draw().colorTargets.empty() && !writesIds);
+        defineSwitch(out, "AGAA_WRITES_CLASSES", writesClasses(plan, pass));
+        if (writesClasses(plan, pass))
+            define(out, "AGAA_CLASS_CHANNEL", c[AGAA_CLASS_CHANNEL]);
+    }
     if (pass.draw().id == AGAA_DRAW_PASS_FORWARD)
         out += lightingDefines(plan, pass, dialect) + shadingFunctionGlsl(plan.view);
     return out;
@@ -310,7 +326,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         break;
     case AGAA_DRAW_PASS_FRAGMENTS:
         appendGlsl(out, "host/ids.glsl", seen);
-        if (needsMaterial(pass)) {
+        if (needsMaterial(plan, pass)) {
             out += fields(pass.constants);
             appendGlsl(out, "host/fragment_payload.glsl", seen);
         }

@@ -30,6 +30,8 @@ Constants constantsOf(const ResolvedView& view) {
     c[AGAA_COUNTERS] = view.hasCounters();
     c[AGAA_SEEDS] = measurement.seeds;
     c[AGAA_EMISSIVE_CHANNELS] = view.layout[AGAA_SEMANTIC_EMISSIVE].channels;
+    c[AGAA_UNFILTERED_CHANNELS] = view.layout.unfilteredChannels();
+    c[AGAA_CLASS_CHANNEL] = view.layout.classChannel();
     c[AGAA_HAS_SPECULAR] = view.layout.hasSpecularLight;
     c[AGAA_HAS_AMBIENT] = (view.facts.flags & AGAA_FACT_AMBIENT) != 0;
     c[AGAA_FACTS] = uint32_t(view.facts.flags);

@@ -60,7 +60,7 @@ Texel addAttribute(Values& values, const ResolvedOutput& output) {
     const auto read = [&](const std::string& value) {
         texel.push_back(format("%s * %s", value.c_str(), range.c_str()));
     };
-    if (a.filter != AGAA_FILTER_NONE) {
+    if (!isUnfiltered(a)) {
         const uint32_t word = values.take(a.channels);
         for (uint32_t i = 0; i < a.channels; ++i) {
             values.add += format("agaa_addToSum(%uu, agaa_sumTerm((samples) * (custom)[%u])); ", word + i,
@@ -142,13 +142,6 @@ void compileWithView(Pass& pass) {
         program.text = "#include \"" + program.file + "\"\n";
 }
 
-uint32_t customChannels(const Layout& layout) {
-    uint32_t channels = 0;
-    for (const CustomAttribute& custom : layout.customs)
-        channels += custom.attribute.channels;
-    return channels;
-}
-
 ResourceId sumsOf(PlanBuilder& b, const Values& values) {
     if (b.resolvedSums == noResource)
         b.resolvedSums = b.pixelBuffer("resolved-sums", 4 * values.words);
@@ -174,18 +167,6 @@ void clearSums(PlanBuilder& b) {
         }
 }
 
-// Aggregates in memory keep one sample's value of such attributes. Means of fetched materials and merged surfaces do
-// not.
-void checkFilters(const ResolvedView& view) {
-    for (const ResolvedOutput& output : view.resolvedOutputs)
-        if (resolvesCustom(output) && output.attribute.filter == AGAA_FILTER_NONE)
-            fail(
-                AGAA_ERROR_UNSUPPORTED,
-                format("an output of AgaaResolvedOutputs is an attribute with AGAA_FILTER_NONE, and \"%s\" averages it "
-                       "with these settings; select a tier with aggregates in memory or a G-buffer.",
-                       view.technique->name));
-}
-
 } // namespace
 
 void sumEvents(PlanBuilder& b, Pass& pass) {
@@ -195,12 +176,10 @@ void sumEvents(PlanBuilder& b, Pass& pass) {
         fail(AGAA_ERROR_UNSUPPORTED,
              format("\"%s\" keeps no materials, which the outputs NORMAL and CUSTOM of AgaaResolvedOutputs need.",
                     b.view().technique->name));
-    if (!pass.compute().shadesAggregates)
-        checkFilters(b.view());
     const Values values = valuesOf(b);
     std::string& defines = pass.compute().defines;
     defines += "#define AGAA_RESOLVES_EVENTS 1\n" + definesOf(values);
-    const uint32_t channels = customChannels(b.view().layout);
+    const uint32_t channels = b.view().layout.customChannels();
     if (std::ranges::any_of(b.view().resolvedOutputs, resolvesCustom) &&
         !b.view().shadingFunction) // which defines it, too
         defines += format("#define AGAA_SHADES_CUSTOM %u\n", channels);

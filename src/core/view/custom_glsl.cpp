@@ -28,7 +28,8 @@ std::string customGlsl(const Layout& layout) {
             store += format("(agaa_v).custom[%u] = %s / %s; ", channel, value.c_str(), range.c_str());
             components += format("%s(agaa_v).custom[%u]", i ? ", " : "", channel);
         }
-        load += format("%s = %s(%s) * %s; ", member.c_str(), type.c_str(), components.c_str(), range.c_str());
+        const std::string value = format("%s(%s) * %s", type.c_str(), components.c_str(), range.c_str());
+        load += member + " = " + (a.filter == AGAA_FILTER_CLASS ? "floor(" + value + " + 0.5)" : value) + "; ";
     }
     return "#define AGAA_CUSTOM_MEMBERS " + members + "\n#define AGAA_CLEAR_CUSTOM(agaa_s) " + clear +
            "\n#define AGAA_SANITISE_CUSTOM(agaa_s, agaa_bad) " + sanitise +

@@ -66,6 +66,8 @@ static const char* semanticName(uint32_t semantic) {
 
 // Returns the bits of one fragment's value, if nothing is summed.
 static uint32_t aggregateBitsOf(const AgaaLayoutAttribute& a) {
+    if (a.filter == AGAA_FILTER_CLASS)
+        return 8;
     return a.aggregateBits == bitsOfHalfWord ? 16 : a.aggregateBits;
 }
 
@@ -85,7 +87,7 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
         bad("two octahedral components do not pack into 10-bit channels; use 8 or 16");
     if ((a.sampleBits == 10) && a.channels != 3)
         bad("10-bit channels come in threes");
-    if (a.filter > (isCustom ? AGAA_FILTER_NONE : AGAA_FILTER_MEAN))
+    if (a.filter > (isCustom ? AGAA_FILTER_CLASS : AGAA_FILTER_MEAN))
         bad("its filter is not known; attributes that are not custom have filter 0");
     if (!isCustom && a.name)
         bad("only custom attributes have a name");
@@ -94,6 +96,10 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
         bad("range must be 1, or [1e-6;65504] for emissive and for custom attributes that are no normals");
     if (a.filter == AGAA_FILTER_NORMAL && a.channels != 3)
         bad("a normal has three channels");
+    if (a.filter == AGAA_FILTER_CLASS && (a.channels != 1 || a.range != 255))
+        bad("a class has one channel and the range 255");
+    if (a.filter == AGAA_FILTER_CLASS && a.aggregateBits != bitsOfHalfWord && a.aggregateBits != 8)
+        bad("a class has 8 bits in an aggregate; aggregateBits is 0 or 8");
     if (a.filter == AGAA_FILTER_NONE && a.channels * aggregateBitsOf(a) > 32)
         bad("its channels do not fit the 32 bits that an unfiltered attribute has in an aggregate");
     if (a.encoding == AGAA_ENCODING_FOLDED) {
@@ -160,9 +166,10 @@ static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
                                      [&](const CustomAttribute& custom) { return custom.name == name; });
     if (isTaken)
         fail(AGAA_ERROR_LAYOUT, format("custom layout attribute \"%s\": the name is taken.", name.c_str()));
-    uint32_t channels = attribute.channels;
-    for (const CustomAttribute& custom : layout.customs)
-        channels += custom.attribute.channels;
+    if (attribute.filter == AGAA_FILTER_CLASS && layout.classChannel())
+        fail(AGAA_ERROR_LAYOUT,
+             format("custom layout attribute \"%s\": the layout has another class already.", name.c_str()));
+    const uint32_t channels = attribute.channels + layout.customChannels();
     if (channels > AGAA_MAX_CUSTOM_CHANNELS)
         fail(AGAA_ERROR_LAYOUT,
              format("the custom attributes have %u channels; %d are the most.", channels, AGAA_MAX_CUSTOM_CHANNELS));
@@ -198,6 +205,34 @@ Layout checkLayout(const AgaaLayout* pointer) {
         fail(AGAA_ERROR_LAYOUT, "AgaaLayout has a specular but no roughness attribute, by which lobes are wide.");
     packGBuffer(layout); // throws if the samples do not fit the attachments
     return layout;
+}
+
+uint32_t Layout::customChannels() const {
+    uint32_t channels = 0;
+    for (const CustomAttribute& custom : customs)
+        channels += custom.attribute.channels;
+    return channels;
+}
+
+uint32_t Layout::classChannel() const {
+    uint32_t channel = 0;
+    for (const CustomAttribute& custom : customs) {
+        if (custom.attribute.filter == AGAA_FILTER_CLASS)
+            return channel + 1;
+        channel += custom.attribute.channels;
+    }
+    return 0;
+}
+
+uint32_t Layout::unfilteredChannels() const {
+    uint32_t mask = 0, channel = 0;
+    for (const CustomAttribute& custom : customs) {
+        const uint32_t end = channel + custom.attribute.channels;
+        if (custom.attribute.filter == AGAA_FILTER_NONE)
+            mask |= 1u << (8 + channel) | ((1u << end) - (1u << channel));
+        channel = end;
+    }
+    return mask;
 }
 
 // Reduces three channels to one.
@@ -265,7 +300,7 @@ static AggregatePacking pack(const Layout& layout, uint32_t samples, bool hasCov
     };
     std::vector<Piece> pieces;
     forEachAttribute(layout, [&](const AgaaLayoutAttribute& a, uint32_t first) {
-        if (a.encoding == AGAA_ENCODING_FOLDED || a.filter == AGAA_FILTER_NONE)
+        if (a.encoding == AGAA_ENCODING_FOLDED || isUnfiltered(a))
             return;
         for (uint32_t i = 0; i < a.channels; ++i) {
             const bool isChroma = a.encoding == AGAA_ENCODING_YCBCR && i > 0;
@@ -296,12 +331,14 @@ static AggregatePacking pack(const Layout& layout, uint32_t samples, bool hasCov
     packing.words = uint32_t(used.size());
     // An unfiltered attribute gets a word, of which the largest value is kept. Channel 0 has the highest bits.
     forEachAttribute(layout, [&](const AgaaLayoutAttribute& a, uint32_t first) {
-        if (a.filter != AGAA_FILTER_NONE)
+        if (!isUnfiltered(a))
             return;
         const uint32_t bits = aggregateBitsOf(a);
         for (uint32_t i = 0; i < a.channels; ++i)
             packing.fields[first + i] = {packing.words, (a.channels - 1 - i) * bits, bits, false, true};
         packing.unfilteredWords |= 1u << packing.words++;
+        if (a.filter == AGAA_FILTER_CLASS)
+            packing.classWord = packing.words;
     });
     return packing;
 }

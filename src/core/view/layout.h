@@ -51,6 +51,12 @@ struct Layout {
     bool hasSpecularLight = false;        // stored per sample, or the same for all materials
 
     const AgaaLayoutAttribute& operator[](AgaaSemantic semantic) const { return attributes[semantic]; }
+    uint32_t customChannels() const;
+    // Returns 1 + the channel, among custom ones, of AGAA_FILTER_CLASS; 0 if samples have no classes.
+    uint32_t classChannel() const;
+    // Returns the custom channels of AGAA_FILTER_NONE: bit i for channel i, and bit 8 + i if it is the first of its
+    // attribute.
+    uint32_t unfilteredChannels() const;
     bool has(AgaaSemantic semantic) const { return attributes[semantic].channels != 0; }
     bool foldsRoughness() const {
         return has(AGAA_SEMANTIC_ROUGHNESS) && attributes[AGAA_SEMANTIC_ROUGHNESS].encoding == AGAA_ENCODING_FOLDED;
@@ -62,6 +68,11 @@ struct Layout {
         return has(AGAA_SEMANTIC_EMISSIVE) ? attributes[AGAA_SEMANTIC_EMISSIVE].range : 1.0f;
     }
 };
+
+// Returns whether an aggregate has the value of one sample, not a sum.
+inline bool isUnfiltered(const AgaaLayoutAttribute& a) {
+    return a.filter == AGAA_FILTER_NONE || a.filter == AGAA_FILTER_CLASS;
+}
 
 // Returns the checked layout; for null that is "precise". Throws AGAA_ERROR_LAYOUT with the reason if it is not valid.
 Layout checkLayout(const AgaaLayout* layout);
@@ -81,6 +92,7 @@ Layout twoPassLayout(Layout layout, uint64_t factFlags);
 struct AggregatePacking {
     uint32_t words = 0;
     uint32_t unfilteredWords = 0; // bit w: word w is the largest value, not a sum
+    uint32_t classWord = 0;       // 1 + the word of the class; 0 if there is none
     Fields fields;
     Field coverage; // bits == n
     uint32_t bytes() const { return 4 * words; }

@@ -4,6 +4,8 @@
 #include "core/base/error.h"
 #include "core/base/names.h"
 
+#include <algorithm>
+
 namespace agaa {
 
 namespace {
@@ -47,11 +49,21 @@ constexpr Preset presets[] = {
 
 constexpr Preset defaults;
 
+// The description is checked when a view is created.
+bool hasClasses(const AgaaLayout* layout) {
+    if (!layout || layout->sType != AGAA_STRUCTURE_TYPE_LAYOUT)
+        return false;
+    const auto* end = layout->attributes + std::min(layout->attributeCount, uint32_t(AGAA_MAX_LAYOUT_ATTRIBUTES));
+    return std::any_of(layout->attributes, end, [](const AgaaLayoutAttribute& a) {
+        return a.semantic == AGAA_SEMANTIC_CUSTOM && a.filter == AGAA_FILTER_CLASS;
+    });
+}
+
 void apply(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
     const bool isDefault = preset.seeds == AGAA_SEEDS_MAXIMIN && preset.measurementFlags == 0;
     if (!measurement && !isDefault)
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("the preset \"%s\" needs an AgaaMeasurement.", preset.name));
-    config.aggregates = preset.aggregates;
+    config.aggregates = hasClasses(config.layout) ? std::min(preset.aggregates + 1, 4u) : preset.aggregates;
     config.surfaceCosine = config.surfaceDistance = config.surfaceMaterial = 0;
     config.shadowTaps = 0;
     config.ndf = preset.ndf;

@@ -14,10 +14,7 @@ inline std::string shadingFunctionGlsl(const ViewSettings& view) {
         return {};
     std::string out = std::string("#define AGAA_HOST_SHADING 1\n#define AGAA_HOST_SHADES_EVENTS ") +
                       (view.hostShadesEvents ? "1\n" : "0\n");
-    uint32_t channels = 0;
-    for (const CustomAttribute& custom : view.layout.customs)
-        channels += custom.attribute.channels;
-    if (channels)
+    if (const uint32_t channels = view.layout.customChannels())
         out += format("#define AGAA_SHADES_CUSTOM %u\n", channels);
     return out;
 }

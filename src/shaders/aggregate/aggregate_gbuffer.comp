@@ -62,6 +62,7 @@ void agaa_groupTile() {
                 agaa_masks[lane * AGAA_AGGREGATES + a] = mask;
         }
         if (agaa_laneSample() == 0u) {
+            agaa_count(AGAA_COUNT_JOINED_CLASSES, uint(bitCount(group.joining)));
             agaa_aggregateCount[lane] = group.count;
             agaa_coveredSamples[lane] = group.covered;
         }
@@ -83,6 +84,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) { agaa_weighFetchedNormals(pix
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     uint count = agaa_groupSamples(pixel, samples, agaa_sampleCount());
+    agaa_count(AGAA_COUNT_JOINED_CLASSES, uint(bitCount(agaa_joiningSamples)));
     uint base = gl_LocalInvocationIndex * AGAA_AGGREGATES;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
         agaa_masks[base + a] = a == 0u && count == 1u ? samples.covered : 0u;

@@ -162,7 +162,10 @@ void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
 vec3 agaa_shadeMeans(uvec2 pixel, vec3 position, uint a, uint mask, agaa_Means means, bool folded) {
     vec3 toEye = agaa_toEye(position);
     agaa_Surface s = agaa_surfaceOfMeans(means, folded, toEye);
-    agaa_setEventCustom(means);
+    agaa_setEventMeans(means);
+#ifdef AGAA_HOST_SHADING
+    agaa_eventAlpha2 = folded ? s.alpha2 : agaa_eventAlpha2;
+#endif
     agaa_countWidening(means, s);
 #if AGAA_LIT
     agaa_findLitSurfaces(pixel, mask, toEye);

@@ -3,7 +3,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "common/subgroup_extensions.glsl"
-#define AGAA_COUNTING 0
 #if AGAA_SAMPLE_LANES
 #define AGAA_MAX_SAMPLES 1
 layout(local_size_x = 64) in;
@@ -15,6 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/constants.glsl"
 #include "common/frame.glsl"
 #include "common/target.glsl"
+#include "common/counters.glsl"
 #include "aggregate/samples.glsl"
 #include "math/sbaa_surfaces.glsl"
 #if AGAA_SAMPLE_LANES
@@ -32,15 +32,17 @@ void agaa_writeMetadata(uvec2 pixel, uvec2 planes) {
 }
 
 #if AGAA_SAMPLE_LANES
-void main() {
+void agaa_define() {
     for (uint iteration = 0u; iteration < agaa_pixelLanes; ++iteration) {
         uvec2 pixel = agaa_pixelOf(agaa_lanePixel(iteration));
         agaa_LaneSample s = agaa_loadLaneSample(pixel);
         agaa_LaneGroup group = agaa_groupLanes(s, false);
         uvec2 planes = uvec2(agaa_samplesWhere((group.aggregate & 1u) != 0u),
                              agaa_samplesWhere((group.aggregate & 2u) != 0u));
-        if (agaa_laneSample() == 0u && all(lessThan(pixel, agaa_frame.size)))
+        if (agaa_laneSample() == 0u && all(lessThan(pixel, agaa_frame.size))) {
             agaa_writeMetadata(pixel, planes);
+            agaa_count(AGAA_COUNT_JOINED_CLASSES, uint(bitCount(group.joining)));
+        }
     }
 }
 #else
@@ -52,7 +54,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
 #endif
 }
 
-void main() {
+void agaa_define() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, agaa_frame.size)))
         return;
@@ -64,5 +66,12 @@ void main() {
                 agaa_putAggregateId(planes, i, agaa_sampleAggregate[i]);
     }
     agaa_writeMetadata(pixel, planes);
+    agaa_count(AGAA_COUNT_JOINED_CLASSES, uint(bitCount(agaa_joiningSamples)));
 }
 #endif
+
+void main() {
+    agaa_countBegin();
+    agaa_define();
+    agaa_countEnd();
+}

@@ -13,11 +13,13 @@ void agaa_weighNormals(uvec2 pixel, uint covered);
 bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered);
 
 // Returns the number of aggregates of the first n samples, which agaa_setSample() set. If there are several, writes the
-// aggregates of the samples to agaa_sampleAggregate.
+// aggregates of the samples to agaa_sampleAggregate, and agaa_joiningSamples.
 uint agaa_groupSamples(uvec2 pixel, agaa_PixelSamples samples, uint n) {
     // The samples of one surface are shaded nearly alike. Clustering would split a slanted surface by distance.
+    agaa_joiningSamples = 0u;
     if (samples.covered == 0u || AGAA_AGGREGATES == 1u ||
-        (agaa_areAllOneSurface(n, samples.covered, agaa_frame.surfaceCosine,
+        (agaa_areAllOneClass(n, samples.covered) &&
+         agaa_areAllOneSurface(n, samples.covered, agaa_frame.surfaceCosine,
                                agaa_surfaceWidth(samples)) &&
          agaa_shadingNormalsAgree(pixel, samples.covered)))
         return min(samples.covered, 1u);

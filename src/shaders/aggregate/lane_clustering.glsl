@@ -108,8 +108,39 @@ float agaa_distanceToSample(agaa_LaneSample s, uint other, agaa_Lengths lengths)
                                agaa_pairInverseK2(lengths, s.depthStep, plane.depthStep));
 }
 
+// Returns the distance to a seed, as agaa_addSeed() compares it.
+uint agaa_distanceToSeed(agaa_LaneSample s, uint seed, agaa_Lengths lengths) {
+    return agaa_separated(agaa_quantiseDistance(agaa_distanceToSample(s, seed, lengths)), s.keyB,
+                          AGAA_CLASSES ? agaa_publishedContent(seed).keyB : 0u);
+}
+
+bool agaa_areAllOneClassLanes(agaa_LaneSample s, uint covered) {
+    if (!AGAA_CLASSES)
+        return true;
+    uint first = agaa_classOfKey(agaa_publishedContent(uint(max(findLSB(covered), 0))).keyB);
+    return agaa_samplesWhere(s.isCovered && agaa_classOfKey(s.keyB) != first) == 0u;
+}
+
+// Returns the samples of all classes of the pixel but the AGAA_AGGREGATES of highest rank, as agaa_findJoining() does.
+uint agaa_findJoiningLanes(agaa_LaneSample s, uint covered) {
+    const uint class_ = agaa_classOfKey(s.keyB);
+    uint weight = 0u;
+    for (uint left = covered; left != 0u; left &= left - 1u) {
+        uint other = agaa_publishedContent(uint(findLSB(left))).keyB;
+        weight += agaa_classOfKey(other) == class_ ? agaa_weightOfKey(other) : 0u;
+    }
+    const uint rank = agaa_rankOfClass(weight, class_);
+    bool isJoining = s.isCovered;
+    for (uint k = 0u; k < AGAA_AGGREGATES; ++k) {
+        uint highest = agaa_maxOfPixel(isJoining ? rank : 0u);
+        isJoining = isJoining && rank != highest;
+    }
+    return agaa_samplesWhere(isJoining);
+}
+
 // Returns the sample that is farthest from the average, as agaa_firstSeed() does.
-uint agaa_firstSeedLane(bool takesPart, uint covered, agaa_LaneSample s, vec3 lowest, float extent, float inverseK2) {
+uint agaa_firstSeedLane(bool takesPart, bool maySeed, uint covered, agaa_LaneSample s, vec3 lowest, float extent,
+                        float inverseK2) {
     vec3 position = s.position - lowest;
     uvec3 positions = agaa_sumOfPixel(takesPart ? agaa_positionSteps(position, extent) : uvec3(0u));
     uvec3 normals = agaa_sumOfPixel(takesPart ? agaa_normalSteps(s.normal) : uvec3(0u));
@@ -117,16 +148,20 @@ uint agaa_firstSeedLane(bool takesPart, uint covered, agaa_LaneSample s, vec3 lo
     uint largest;
     uint d =
         agaa_quantiseDistance(agaa_sampleDistance(position, mean.position, s.normal, mean.normal, inverseK2));
-    return agaa_farthestLane(takesPart, d, s, largest);
+    return agaa_farthestLane(maySeed, d, s, largest);
 }
 
 // Returns the candidate of rule (e) as printed, as agaa_literalCandidate() does.
-uint agaa_literalSeedLane(bool takesPart, agaa_LaneSample s, uint seeds, uint count, agaa_Lengths lengths) {
+// nearest   Distance of the sample to its seed.
+uint agaa_literalSeedLane(bool takesPart, agaa_LaneSample s, uint nearest, uint seeds, uint count,
+                          agaa_Lengths lengths) {
     uint sum = 0u;
     for (uint k = 0u; k < count; ++k) {
         uint d = agaa_quantiseDistance(agaa_distanceToSample(s, seeds >> 8u * k & 0xFFu, lengths));
         sum = min(sum, 0xFFFFFFFFu - d) + d;
     }
+    if (AGAA_CLASSES)
+        sum = min(sum, 0x7FFFFFFFu) | (nearest & 0x80000000u);
     uint largest;
     return agaa_farthestLane(takesPart, sum, s, largest);
 }
@@ -154,6 +189,7 @@ struct agaa_LaneGroup {
     uint count;     // number of aggregates
     uint aggregate; // of this lane's sample
     uint seeds;     // of several aggregates: the samples that founded them, 8 bits each
+    uint joining;   // samples whose class has no aggregate of its own
 };
 
 agaa_PixelSamples agaa_pixelOfLanes(agaa_LaneSample s, uint covered) {
@@ -166,7 +202,8 @@ agaa_PixelSamples agaa_pixelOfLanes(agaa_LaneSample s, uint covered) {
 }
 
 // Partitions the samples of pixels with `isSplit`, as agaa_defineAggregates() does. The samples are published.
-void agaa_clusterLanes(inout agaa_LaneGroup group, agaa_LaneSample s, agaa_PixelSamples samples, bool isSplit) {
+void agaa_clusterLanes(inout agaa_LaneGroup group, agaa_LaneSample s, agaa_PixelSamples samples, bool isSplit,
+                       bool isOneClass) {
     const float infinite = uintBitsToFloat(0x7F800000u);
     vec3 lowest = agaa_minOfPixel(s.isCovered ? s.position : vec3(infinite));
     vec3 highest = agaa_maxOfPixel(s.isCovered ? s.position : vec3(-infinite));
@@ -176,31 +213,34 @@ void agaa_clusterLanes(inout agaa_LaneGroup group, agaa_LaneSample s, agaa_Pixel
     float coarsest = agaa_maxOfPixel(s.isCovered ? s.depthStep : -infinite);
     const float t = agaa_frame.aggregateThreshold;
     const agaa_Lengths lengths = agaa_lengthsFor(agaa_pixelCharacteristicLength(samples), t);
-    const uint threshold = agaa_quantiseDistance(max(t, 0.0));
+    const uint threshold = agaa_quantisedThreshold(t);
     float bound = agaa_sampleDistance(lowest, highest, lowestNormal, highestNormal,
                                       agaa_pairInverseK2(lengths, finest, finest));
-    bool more = isSplit && agaa_mayExceed(bound, threshold);
+    if (AGAA_CLASSES && agaa_anyLane(isSplit && !isOneClass))
+        group.joining = agaa_findJoiningLanes(s, group.covered);
+    bool more = isSplit && (!isOneClass || agaa_mayExceed(bound, threshold));
     if (!agaa_anyLane(more))
         return;
     bool takesPart = more && s.isCovered;
+    const bool maySeed = takesPart && !(AGAA_CLASSES && (group.joining >> agaa_laneSample() & 1u) != 0u);
     vec3 size = highest - lowest;
-    uint seed = agaa_firstSeedLane(takesPart, group.covered, s, lowest, max(size.x, max(size.y, size.z)),
+    uint seed = agaa_firstSeedLane(takesPart, maySeed, group.covered, s, lowest, max(size.x, max(size.y, size.z)),
                                    agaa_pairInverseK2(lengths, coarsest, coarsest));
-    uint nearest = agaa_quantiseDistance(agaa_distanceToSample(s, seed, lengths));
+    uint nearest = agaa_distanceToSeed(s, seed, lengths);
     uint seeds = seed; // 8 bits for each aggregate
     uint farthest;
-    uint candidate = agaa_farthestLane(takesPart, nearest, s, farthest);
+    uint candidate = agaa_farthestLane(maySeed, nearest, s, farthest);
     for (uint id = 1u; id < AGAA_AGGREGATES; ++id) {
         seed = candidate;
         if (AGAA_SEEDS != 0u && id > 1u) {
-            seed = agaa_literalSeedLane(takesPart, s, seeds, id, lengths);
+            seed = agaa_literalSeedLane(maySeed, s, nearest, seeds, id, lengths);
             farthest = agaa_maxOfPixel(agaa_laneSample() == seed ? nearest : 0u);
         }
         more = more && farthest > threshold;
         if (!agaa_anyLane(more))
             break;
         uint after = agaa_seedsAfter(seed, seeds, id);
-        uint d = agaa_quantiseDistance(agaa_distanceToSample(s, seed, lengths));
+        uint d = agaa_distanceToSeed(s, seed, lengths);
         if (takesPart && more && (d < nearest || (d == nearest && (after >> group.aggregate & 1u) != 0u))) {
             nearest = d;
             group.aggregate = id;
@@ -209,7 +249,7 @@ void agaa_clusterLanes(inout agaa_LaneGroup group, agaa_LaneSample s, agaa_Pixel
         group.seeds = seeds;
         group.count = more ? id + 1u : group.count;
         if (id + 1u < AGAA_AGGREGATES)
-            candidate = agaa_farthestLane(takesPart, nearest, s, farthest);
+            candidate = agaa_farthestLane(maySeed, nearest, s, farthest);
     }
 }
 
@@ -221,6 +261,7 @@ agaa_LaneGroup agaa_groupLanes(agaa_LaneSample s, bool comparesShading) {
     group.count = min(group.covered, 1u);
     group.aggregate = 0u;
     group.seeds = 0u;
+    group.joining = 0u;
     if (AGAA_AGGREGATES == 1u)
         return group;
     agaa_syncLanes(); // the lanes have read the samples of the previous pixel
@@ -228,8 +269,10 @@ agaa_LaneGroup agaa_groupLanes(agaa_LaneSample s, bool comparesShading) {
     agaa_publishContent(s);
     agaa_syncLanes();
     agaa_PixelSamples samples = agaa_pixelOfLanes(s, group.covered);
-    bool isOne = agaa_areOneSurfaceLanes(s, group.covered, agaa_surfaceWidth(samples), comparesShading);
-    bool isSplit = group.covered != 0u && !isOne;
+    const bool isOneClass = agaa_areAllOneClassLanes(s, group.covered); // all lanes call both functions
+    const bool isOneSurface =
+        agaa_areOneSurfaceLanes(s, group.covered, agaa_surfaceWidth(samples), comparesShading);
+    bool isSplit = group.covered != 0u && !(isOneClass && isOneSurface);
     if (!agaa_anyLane(isSplit))
         return group;
     if (AGAA_GLOSS_WEIGHT != 0u) {
@@ -239,7 +282,7 @@ agaa_LaneGroup agaa_groupLanes(agaa_LaneSample s, bool comparesShading) {
         agaa_publishNormal(s.normal);
         agaa_syncLanes();
     }
-    agaa_clusterLanes(group, s, samples, isSplit);
+    agaa_clusterLanes(group, s, samples, isSplit, isOneClass);
     return group;
 }
 

@@ -5,7 +5,7 @@
 #include "aggregate/means.glsl"
 #include "math/encoding.glsl"
 #include "math/statistics.glsl"
-#include "common/stored.glsl"
+#include "common/custom_filters.glsl"
 
 agaa_Means agaa_noMeans() {
     agaa_Means m;
@@ -16,15 +16,25 @@ agaa_Means agaa_noMeans() {
 #ifdef AGAA_SHADES_CUSTOM
     for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
         m.custom[i] = 0.0;
+    m.classWeight = 0.0;
 #endif
     return m;
 }
 
-// Adds custom attributes, as layouts store them.
+// Adds custom attributes, as layouts store them, by their filters.
 void agaa_addCustom(inout agaa_Means m, float weight, agaa_Stored v) {
 #ifdef AGAA_SHADES_CUSTOM
-    for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
-        m.custom[i] += weight * v.custom[i];
+    uint order = 0u;
+    for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i) {
+        if (uint(i) + 1u == AGAA_CLASS_CHANNEL) {
+            agaa_voteForClass(m.custom[i], m.classWeight, v.custom[i], weight);
+        } else if (agaa_isUnfilteredChannel(uint(i))) {
+            if (agaa_takesUnfiltered(order, uint(i), m.custom[i], v.custom[i]) && weight > 0.0)
+                m.custom[i] = v.custom[i];
+        } else {
+            m.custom[i] += weight * v.custom[i];
+        }
+    }
 #endif
 }
 

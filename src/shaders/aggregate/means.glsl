@@ -13,6 +13,7 @@ struct agaa_Means {
     agaa_NormalMoments moments; // used by elliptic lobes
 #ifdef AGAA_SHADES_CUSTOM        // number of channels of custom attributes, if functions of the host shade with them
     float custom[AGAA_SHADES_CUSTOM];
+    float classWeight; // by which the class exceeds the others
 #endif
 };
 
@@ -20,6 +21,15 @@ struct agaa_Means {
 void agaa_setEventCustom(agaa_Means m) {
 #ifdef AGAA_SHADES_CUSTOM
     agaa_eventCustom = m.custom;
+#endif
+}
+
+// Sets the attributes of an event with means over its samples that functions of the host read.
+void agaa_setEventMeans(agaa_Means m) {
+    agaa_setEventCustom(m);
+#ifdef AGAA_HOST_SHADING
+    agaa_eventMoments = m.moments;
+    agaa_eventAlpha2 = m.alpha2;
 #endif
 }
 #endif

@@ -37,4 +37,9 @@ void agaa_packSurface(agaa_Stored v) {
 }
 
 bool agaa_isUnfilteredWord(uint w) { return (AGAA_UNFILTERED_WORDS >> w & 1u) != 0u; }
+
+// Returns the value of an unfiltered word that competes with others: of a class, the number of its samples comes first.
+uint agaa_unfilteredWord(uint w, uint count) {
+    return w + 1u == AGAA_CLASS_WORD ? agaa_packed[w] | count << 8u : agaa_packed[w];
+}
 #endif

@@ -4,6 +4,7 @@
 #ifndef AGAA_MAX_SAMPLES
 #error "pixel_samples.glsl needs AGAA_MAX_SAMPLES."
 #endif
+#define AGAA_CLASSES (AGAA_CLASS_CHANNEL != 0u)
 #include "math/clustering.glsl"
 #include "math/ndf.glsl"
 #include "common/camera.glsl"
@@ -43,9 +44,15 @@ float agaa_depthStepAt(vec3 position, float depth, float quantum) {
                              agaa_isOrthographic(), quantum);
 }
 
+// Returns the code of a sample's content: by its normal or, with AGAA_CLASSES, its class and weight. The position alone
+// distinguishes samples.
+// code     16 bits, equal for equal normals.
+// weight   Number of samples that it stands for, [1, 255].
+uint agaa_codeWithClass(uint code, uint class_, uint weight) { return AGAA_CLASSES ? class_ << 8u | weight : code; }
+
 // Returns the second key of a sample's content.
 // offset   Position in the pixel, [0, 1].
-// code     Equal for equal normals.
+// code     Of agaa_codeWithClass().
 uint agaa_contentKey(vec2 offset, uint code) {
     uvec2 key = uvec2(offset * 128.0);
     return code << 16 | key.x << 8 | key.y;
@@ -54,7 +61,7 @@ uint agaa_contentKey(vec2 offset, uint code) {
 // Adds sample i, which has geometry.
 // quantum   Step of its stored depth.
 // offset    Position in the pixel, [0, 1].
-// code      Equal for equal normals.
+// code      Of agaa_codeWithClass().
 void agaa_addSampleAt(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 offset,
                       vec3 normal, uint code) {
     samples.covered |= 1u << (i & 31u);

@@ -1,4 +1,5 @@
-// The plane normals of the primitives that the prepass wrote for each sample, in the frame of the pixel's view ray.
+// The plane normals of the primitives that the prepass wrote for each sample, in the frame of the pixel's view ray, and
+// with AGAA_CLASSES the classes of samples.
 // Needs common/target.glsl and AGAA_BINDING_NORMALS.
 #ifndef AGAA_PREPASS_NORMALS_GLSL
 #define AGAA_PREPASS_NORMALS_GLSL
@@ -12,6 +13,8 @@ layout(AGAA_BINDING_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals;
 
 // Returns 0 where there is no geometry.
 uvec2 agaa_prepassCode(uvec2 pixel, uint i) { return uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5); }
+
+uint agaa_prepassClass(uvec2 pixel, uint i) { return uint(AGAA_FETCH(agaa_normals, pixel, i).z * 255.0 + 0.5); }
 
 // Returns the rotation from the frame of the view ray to view space.
 mat3 agaa_prepassFrame(uvec2 pixel) {

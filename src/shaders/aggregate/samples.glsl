@@ -5,7 +5,7 @@
 #include "math/encoding.glsl"
 #include "aggregate/pixel_samples.glsl"
 #include "common/sample_depth.glsl"
-#include "common/stored.glsl"
+#include "common/custom_filters.glsl"
 
 #ifndef AGAA_FROM_GBUFFER
 #define AGAA_FROM_GBUFFER 0
@@ -22,21 +22,21 @@
 #endif
 
 #ifndef AGAA_HOST_FETCH
-// Loads the normal of a sample in the frame of agaa_normalFrame(), and a code that is equal for equal normals. Returns
-// false where there is no geometry.
+// Loads the normal of a sample in the frame of agaa_normalFrame(), and the code of agaa_codeWithClass(). Returns false
+// where there is no geometry.
 bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 #if AGAA_FROM_GBUFFER
     if (!agaa_fetchSample(pixel, i))
         return false;
     normal = agaa_fetchedNormal();
     uvec2 c = uvec2(agaa_normalCode() * 65535.0 + 0.5);
-    code = (c.x << 16 | c.y) * 2654435761u >> 16;
+    code = agaa_codeWithClass((c.x << 16 | c.y) * 2654435761u >> 16, agaa_classOf(agaa_fetchedCustom()), 1u);
 #else
     uvec2 c = agaa_prepassCode(pixel, i);
     if (c.x + c.y == 0u)
         return false;
     normal = agaa_decodeHemiOct8(c);
-    code = c.x << 8 | c.y;
+    code = agaa_codeWithClass(c.x << 8 | c.y, AGAA_CLASSES ? agaa_prepassClass(pixel, i) : 0u, 1u);
 #endif
     return true;
 }
@@ -44,7 +44,7 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 
 // Adds a sample with geometry.
 // normal   In the frame of the positions.
-// code     Equal for equal normals.
+// code     Of agaa_codeWithClass().
 void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 normal, uint code) {
     float depth = agaa_depthOf(pixel, i);
     agaa_addSampleAt(samples, i, agaa_sampleViewPosition(pixel, i, depth), depth, agaa_storedQuantum(depth),

@@ -16,6 +16,7 @@ agaa_Means agaa_meansOfStored(agaa_Stored v) {
 #ifdef AGAA_SHADES_CUSTOM
     for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
         m.custom[i] = v.custom[i];
+    m.classWeight = 0.0;
 #endif
     m.normal = v.normal;
     m.lengthBound = agaa_storedLengthBound(1u, agaa_fieldBits(AGAA_FIELD_NORMAL_X));

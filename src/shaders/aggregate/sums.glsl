@@ -22,12 +22,21 @@ void agaa_clearSums() {
         agaa_momentSums[m] = 0u;
 }
 
+// Adds the class of `count` samples to a word with the vote of agaa_voteForClass(): the class, and above it the margin.
+uint agaa_votedWord(uint word, uint class_, uint count) {
+    uint margin = word >> 8u;
+    if ((word & 0xFFu) == class_)
+        return word + (count << 8u);
+    return count > margin ? class_ | (count - margin) << 8u : word - (count << 8u);
+}
+
 // Adds the attributes of `count` samples.
 void agaa_addToSums(agaa_Stored v, uint count) {
     agaa_packSurface(v);
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_sums[w] = agaa_isUnfilteredWord(w) ? max(agaa_sums[w], agaa_packed[w])
-                                                : agaa_sums[w] + agaa_packed[w] * count;
+        agaa_sums[w] = w + 1u == AGAA_CLASS_WORD    ? agaa_votedWord(agaa_sums[w], agaa_packed[w], count)
+                       : agaa_isUnfilteredWord(w) ? max(agaa_sums[w], agaa_packed[w])
+                                                  : agaa_sums[w] + agaa_packed[w] * count;
     for (uint m = 0u; m < AGAA_SPREAD_WORDS; ++m)
         agaa_momentSums[m] += agaa_momentCode(m, v.normal) * count;
 }

@@ -15,6 +15,12 @@ struct AgaaSurface {
     float alpha2;         // GGX alpha squared, [4.1e-6,1], widened by the spread of normals
     float alpha2Along;    // the same along `axis`, >= alpha2, which is then that across; equal for round lobes
     vec3 axis;            // direction of the widest spread, unit, perpendicular to the normal; 0 for round lobes
+    float materialAlpha2; // mean of alpha squared over the samples, before it is widened. It is alpha2 in "dcaa",
+                          // with folded roughness in memory, and in parts of an event, with litShadows
+    // Second moments of the samples' unit normals in "agaa" with specular light and AGAA_NDF_LEAN or AGAA_NDF_SGGX,
+    // except in parts of an event. Otherwise those of a round spread of the same normalLength.
+    vec3 normalSquares;   // means of xx, yy and zz, whose sum is 1
+    vec3 normalProducts;  // means of yz, zx and xy
     vec3 position;        // mean over the samples, or that of the sample that represents them
     float positionSpread; // mean squared distance of the samples from it, at most the squared width of a pixel there.
                           // 0 with AGAA_FACT_NO_LOCAL_LIGHTS
@@ -22,7 +28,7 @@ struct AgaaSurface {
     uvec4 samples;        // that the event represents: bit i % 32 of element i / 32 for sample i
     float coverage;       // their share of the samples of the pixel, (0,1]
     uint shadows;         // bit i: lights with AgaaFrame::shadows[i] may reach the surface
-    AGAA_CUSTOM_MEMBERS   // means of the custom attributes of the layout; those of normals are not unit
+    AGAA_CUSTOM_MEMBERS   // custom attributes of the layout, combined by AgaaFilter; means of normals are not unit
 };
 
 // A light as it reaches the surface.

@@ -115,6 +115,12 @@ void agaa_setEvent(uvec2 pixel, uvec4 samples) {
 #endif
 }
 
+#ifdef AGAA_HOST_SHADING
+// The second moments of the normals of an event that is shaded with means, and its alpha squared before it is widened.
+agaa_NormalMoments agaa_eventMoments = agaa_NormalMoments(vec3(0.0), vec3(0.0));
+float agaa_eventAlpha2 = -1.0; // below 0: the event has no means
+#endif
+
 // Sets the custom attributes of the event, as layouts store them.
 #ifdef AGAA_SHADES_CUSTOM
 float agaa_eventCustom[AGAA_SHADES_CUSTOM];

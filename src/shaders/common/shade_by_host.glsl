@@ -6,7 +6,16 @@
 #error "shade_by_host.glsl needs host_shading.glsl."
 #endif
 
-AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position) {
+// Returns the moments of normals that spread equally in all directions, and whose mean has this length.
+agaa_NormalMoments agaa_roundMoments(vec3 normal, float meanLength) {
+    float along = meanLength * meanLength;
+    float across = 0.5 * (1.0 - along);
+    return agaa_NormalMoments(across + (along - across) * normal * normal,
+                              (along - across) * normal.yzx * normal.zxy);
+}
+
+// isPart   The surface is the part of an event that a light reaches. Its own moments are not kept.
+AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position, bool isPart) {
     AgaaSurface surface;
     surface.diffuse = agaa_hasFact(AGAA_FACT_NO_DIFFUSE) ? vec3(0.0) : s.diffuse;
     surface.specular = AGAA_HAS_SPECULAR == 0u || agaa_leavesOut(AGAA_FACT_SPECULAR) ? vec3(0.0) : s.specular;
@@ -16,6 +25,13 @@ AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position) {
     surface.alpha2 = s.alpha2;
     surface.alpha2Along = max(s.alpha2Along, s.alpha2);
     surface.axis = s.alpha2Along > s.alpha2 ? s.axis : vec3(0.0);
+    bool hasMeans = agaa_eventAlpha2 >= 0.0 && AGAA_HAS_SPECULAR != 0u && !isPart;
+    agaa_NormalMoments moments = agaa_roundMoments(s.normal, s.meanLength);
+    if (hasMeans && AGAA_NDF >= agaa_ndfLean)
+        moments = agaa_eventMoments;
+    surface.materialAlpha2 = hasMeans ? agaa_eventAlpha2 : s.alpha2;
+    surface.normalSquares = moments.squares;
+    surface.normalProducts = moments.mixed;
     surface.position = position;
     surface.positionSpread = agaa_positionSpread;
     surface.pixel = agaa_event.pixel;
@@ -31,8 +47,12 @@ AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position) {
     return surface;
 }
 
+// Round lobes have no axis, and any is right for them.
 agaa_Surface agaa_surfaceFromHost(AgaaSurface s) {
-    return agaa_Surface(s.diffuse, s.specular, s.emissive, s.normal, s.normalLength, s.alpha2, s.alpha2Along, s.axis);
+    vec3 axis, across;
+    agaa_viewBasis(s.normal, axis, across);
+    axis = dot(s.axis, s.axis) > 0.0 ? s.axis : axis;
+    return agaa_Surface(s.diffuse, s.specular, s.emissive, s.normal, s.normalLength, s.alpha2, s.alpha2Along, axis);
 }
 
 // Contains values that are not finite, and counts their event.
@@ -71,7 +91,7 @@ AgaaSurface agaaLitPart(AgaaSurface surface, AgaaIncidentLight light) {
 #if AGAA_LIT
     for (uint k = 0u; k < AGAA_MAX_SHADOW_MAPS; ++k)
         if (agaa_isLitShadow(k) && light.shadow == k)
-            surface = agaa_surfaceForHost(agaa_litSurface[k], surface.position);
+            surface = agaa_surfaceForHost(agaa_litSurface[k], surface.position, true);
 #endif
     return surface;
 }
@@ -147,11 +167,11 @@ bool agaaNextLight(inout AgaaLights lights, AgaaSurface surface, out AgaaInciden
 
 #if !AGAA_HOST_SHADES_EVENTS
 vec3 agaa_reflect(agaa_Surface s, vec3 position, vec3 toLight, vec3 toEye) {
-    return agaa_contained(agaaReflect(agaa_surfaceForHost(s, position), toLight, toEye));
+    return agaa_contained(agaaReflect(agaa_surfaceForHost(s, position, AGAA_LIT != 0), toLight, toEye));
 }
 #else
 vec3 agaa_shadeByHost(agaa_Surface s, vec3 position) {
-    return agaa_contained(agaaShade(agaa_surfaceForHost(s, position)));
+    return agaa_contained(agaaShade(agaa_surfaceForHost(s, position, false)));
 }
 #endif
 #endif

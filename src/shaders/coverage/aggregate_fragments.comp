@@ -194,7 +194,7 @@ agaa_Surface agaa_findSurfaces(uvec2 pixel, uint head, uint a, float weight, vec
         agaa_Surface s = agaa_surfaceOfMeans(means, false, toEye);
         if (!isLit) {
             whole = s;
-            agaa_setEventCustom(means);
+            agaa_setEventMeans(means);
             widening = agaa_widening(means, s);
             agaa_countWidening(means, s);
         }

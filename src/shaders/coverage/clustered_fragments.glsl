@@ -28,6 +28,7 @@ struct agaa_FragmentSample {
     float depth;
     vec2 offset; // in the pixel, [0, 1]
     vec3 normal; // of its plane
+    uint code;   // of agaa_codeWithClass()
     // The following members are set with AGAA_GLOSS_WEIGHT.
     vec3 shadingNormal;
     float alpha2;
@@ -45,12 +46,15 @@ agaa_FragmentSample agaa_sampleOfFragment(uvec2 pixel, uint record) {
     s.normal = agaa_planeNormal(p);
     s.shadingNormal = s.normal;
     s.alpha2 = 1.0;
-    if (AGAA_GLOSS_WEIGHT != 0u) {
+    uint class_ = 0u;
+    if (AGAA_GLOSS_WEIGHT != 0u || AGAA_CLASSES) {
         AgaaMaterial m = agaa_fetchCovered(p, pixel, middle);
         vec3 n = m.normal + s.offset.x * m.normalDx + s.offset.y * m.normalDy;
         s.shadingNormal = n * inversesqrt(max(dot(n, n), 1e-6));
         s.alpha2 = m.alpha2;
+        class_ = agaa_classOfMaterial(m);
     }
+    s.code = agaa_codeWithClass(agaa_codeOfNormal(s.normal), class_, agaa_coverageCount(agaa_maskOf(record)));
     return s;
 }
 
@@ -62,6 +66,28 @@ uint agaa_countShown(uint head, uint least) {
         fragment = agaa_nextOf(record);
     }
     return count;
+}
+
+// The seed that is nearest to a fragment which was not clustered. A seed of the fragment's class comes before others.
+struct agaa_NearestSeed {
+    uint aggregate;
+    bool hasOtherClass;
+    float distance;
+};
+
+agaa_NearestSeed agaa_noSeed() { return agaa_NearestSeed(0u, true, 3.0e38); }
+
+void agaa_compareSeed(inout agaa_NearestSeed nearest, uint a, float distance, uint keyB, uint keyBOfSeed) {
+    bool hasOtherClass = AGAA_CLASSES && agaa_classOfKey(keyB) != agaa_classOfKey(keyBOfSeed);
+    bool isNearer = hasOtherClass == nearest.hasOtherClass ? distance < nearest.distance : !hasOtherClass;
+    if (isNearer)
+        nearest = agaa_NearestSeed(a, hasOtherClass, distance);
+}
+
+// Returns the aggregate of the seed, and counts the fragment if that has another class.
+uint agaa_countedSeed(agaa_NearestSeed nearest) {
+    agaa_count(AGAA_COUNT_JOINED_CLASSES, nearest.hasOtherClass ? 1u : 0u);
+    return nearest.aggregate;
 }
 
 // Returns whether the fragments of a pixel may be in several aggregates.

@@ -82,8 +82,8 @@ void agaa_listEntries(uint head, agaa_Entries entries) {
 
 agaa_LaneSample agaa_laneSampleOfFragment(uvec2 pixel, uint record) {
     agaa_FragmentSample f = agaa_sampleOfFragment(pixel, record);
-    agaa_LaneSample s = agaa_laneSampleAt(f.position, f.depth, agaa_fragmentQuantum(f.depth), f.offset, f.normal,
-                                          agaa_codeOfNormal(f.normal));
+    agaa_LaneSample s =
+        agaa_laneSampleAt(f.position, f.depth, agaa_fragmentQuantum(f.depth), f.offset, f.normal, f.code);
     s.shadingNormal = f.shadingNormal;
     s.alpha2 = f.alpha2;
     return s;
@@ -104,6 +104,7 @@ void agaa_groupEntries() {
     if (hasFragment) {
         agaa_setAggregate(record, group.aggregate);
         if (agaa_laneSample() == 0u) {
+            agaa_count(AGAA_COUNT_JOINED_CLASSES, uint(bitCount(group.joining)));
             AGAA_GROUP_COUNT(entry & 0xFFu) = group.count;
             AGAA_GROUP_SEEDS(entry & 0xFFu) = group.seeds;
             AGAA_GROUP_NEAREST(entry & 0xFFu) = floatBitsToUint(samples.nearest);
@@ -128,12 +129,13 @@ void agaa_assignOthers(uvec2 pixel, uint head, agaa_Entries entries) {
                 agaa_LaneSample s = agaa_laneSampleOfFragment(pixel, record);
                 if (AGAA_GLOSS_WEIGHT != 0u)
                     s.normal = agaa_weighedNormal(mat3(agaa_frame.view) * s.shadingNormal, s.alpha2);
-                float least = agaa_distanceToSample(s, seeds & 0xFFu, lengths);
-                for (uint a = 1u; a < count; ++a) {
-                    float d = agaa_distanceToSample(s, seeds >> 8u * a & 0xFFu, lengths);
-                    best = d < least ? a : best;
-                    least = min(d, least);
+                agaa_NearestSeed nearest = agaa_noSeed();
+                for (uint a = 0u; a < count; ++a) {
+                    uint seed = seeds >> 8u * a & 0xFFu;
+                    agaa_compareSeed(nearest, a, agaa_distanceToSample(s, seed, lengths), s.keyB,
+                                     AGAA_CLASSES ? agaa_publishedContent(seed).keyB : 0u);
                 }
+                best = agaa_countedSeed(nearest);
             }
             agaa_setAggregate(record, best);
         }

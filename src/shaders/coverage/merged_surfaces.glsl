@@ -10,6 +10,7 @@
 #include "aggregate/packing.glsl"
 #include "coverage/surface_spread.glsl"
 #include "aggregate/unpacking.glsl"
+#include "common/custom_filters.glsl"
 
 // agaa_roundKept() rounds a kept surface to the values that memory has. agaa_storeKept() stores it without its
 // material.
@@ -44,8 +45,16 @@ agaa_Stored agaa_loadMaterial(uint base) {
 // normalLength   Length of the mean normal, by which lobes widen.
 agaa_Stored agaa_mixMaterials(agaa_Stored a, agaa_Stored b, float share, float normalLength) {
 #define AGAA_ATTRIBUTE(semantic, name)
+    const agaa_Stored before = a;
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) a.member += (b.member - a.member) * share;
 #include "tables/channels.inc"
+    uint order = 0u;
+    for (int i = 0; i < 8; ++i) {
+        bool isClass = uint(i) + 1u == AGAA_CLASS_CHANNEL;
+        bool takes = isClass ? share > 0.5 : agaa_takesUnfiltered(order, uint(i), before.custom[i], b.custom[i]);
+        if (isClass || agaa_isUnfilteredChannel(uint(i)))
+            a.custom[i] = takes ? b.custom[i] : before.custom[i];
+    }
     if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF != agaa_ndfNone && AGAA_SPREAD_WORDS == 0u)
         a.alpha2 = agaa_toksvigAlpha2(a.alpha2, normalLength);
     return a;
@@ -104,6 +113,10 @@ agaa_MergeRules agaa_mergeRules(uvec2 pixel, float depth) {
 // spread     The spread of its normals.
 agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stored material, agaa_NormalSpread spread) {
     agaa_MergeRules rules = agaa_mergeRules(pixel, s.plane.x);
+    if (AGAA_UNFILTERED_CHANNELS != 0u) { // surfaces in memory have codes, by which values are compared
+        agaa_packSurface(material);
+        material = agaa_unpackSurface();
+    }
     agaa_Insertion done = agaa_insertSurface(s, rules);
     agaa_countInsertion(done);
     if (done.from != AGAA_NO_SURFACE) {

@@ -19,8 +19,7 @@ void agaa_takeNone() { agaa_taken = agaa_noSamples(); }
 // Adds the fragment as number i of the clustered ones.
 void agaa_takeFragment(uvec2 pixel, uint i, uint fragment) {
     agaa_FragmentSample s = agaa_sampleOfFragment(pixel, agaa_record(fragment));
-    agaa_addSampleAt(agaa_taken, i, s.position, s.depth, agaa_fragmentQuantum(s.depth), s.offset, s.normal,
-                     agaa_codeOfNormal(s.normal));
+    agaa_addSampleAt(agaa_taken, i, s.position, s.depth, agaa_fragmentQuantum(s.depth), s.offset, s.normal, s.code);
     if (AGAA_GLOSS_WEIGHT != 0u)
         agaa_itemGloss[i] = agaa_Gloss(s.shadingNormal, s.alpha2);
 }
@@ -49,14 +48,13 @@ uint agaa_nearestSeed(uvec2 pixel, uint fragment, uint count, agaa_Lengths lengt
     agaa_takeFragment(pixel, agaa_maxClustered, fragment);
     if (AGAA_GLOSS_WEIGHT != 0u)
         agaa_weighItem(agaa_maxClustered);
-    uint best = 0u;
-    float least = agaa_pairDistance(agaa_maxClustered, agaa_seedSample[0], lengths);
-    for (uint a = 1u; a < count; ++a) {
-        float d = agaa_pairDistance(agaa_maxClustered, agaa_seedSample[a], lengths);
-        best = d < least ? a : best;
-        least = min(d, least);
+    agaa_NearestSeed nearest = agaa_noSeed();
+    for (uint a = 0u; a < count; ++a) {
+        uint seed = agaa_seedSample[a];
+        agaa_compareSeed(nearest, a, agaa_pairDistance(agaa_maxClustered, seed, lengths),
+                         agaa_sampleKeyB[agaa_maxClustered], agaa_sampleKeyB[seed]);
     }
-    return best;
+    return agaa_countedSeed(nearest);
 }
 
 // Assigns each fragment of the resolved list to an aggregate. Returns the number of aggregates.
@@ -70,6 +68,7 @@ uint agaa_groupFragments(uvec2 pixel, uint head, uint shown) {
     uint clustered = agaa_chooseLargest(pixel, head, shown);
     agaa_PixelSamples samples = agaa_withDistance(agaa_taken);
     uint count = agaa_groupSamples(pixel, samples, clustered);
+    agaa_count(AGAA_COUNT_JOINED_CLASSES, uint(bitCount(agaa_joiningSamples)));
     agaa_Lengths lengths = agaa_lengthsFor(agaa_pixelCharacteristicLength(samples), agaa_frame.aggregateThreshold);
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);

@@ -1,8 +1,9 @@
 // Visibility pass: writes depth and a value that distinguishes samples. That value is an id, or the primitive's normal
-// in the frame of the pixel's view ray, in which visible surfaces face the viewer at any field of view. Needs
-// AGAA_WRITES_NORMALS and AGAA_WRITES_IDS.
-#if !defined(AGAA_WRITES_NORMALS) || !defined(AGAA_WRITES_IDS)
-#error "visibility.glsl needs AGAA_WRITES_NORMALS and AGAA_WRITES_IDS."
+// in the frame of the pixel's view ray, in which visible surfaces face the viewer at any field of view. With
+// AGAA_WRITES_CLASSES, the class of the material is beside the normal. Needs
+// AGAA_WRITES_NORMALS, AGAA_WRITES_IDS and AGAA_WRITES_CLASSES.
+#if !defined(AGAA_WRITES_NORMALS) || !defined(AGAA_WRITES_IDS) || !defined(AGAA_WRITES_CLASSES)
+#error "visibility.glsl needs AGAA_WRITES_NORMALS, AGAA_WRITES_IDS and AGAA_WRITES_CLASSES."
 #endif
 void agaa_emit(AgaaSurfaceInput s) {
     agaa_checkPlacement(s.position);
@@ -18,7 +19,14 @@ void agaa_emit(AgaaSurfaceInput s) {
     n = vec3(dot(n, t), dot(n, b), dot(n, v));
     if (n.z < 0.0)
         n = -n;
-    agaa_out0 = vec4(agaa_unormOfCode(vec2(agaa_encodeHemiOct8(n)), 8u), 0.0, 0.0);
+    float class_ = 0.0;
+#if AGAA_WRITES_CLASSES
+    agaa_Stored stored = agaa_storedSurface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec3(0.0));
+    AGAA_STORE_CUSTOM(s, stored)
+    uint code = agaa_quantise(stored.custom[AGAA_CLASS_CHANNEL - 1u], 8u); // contains values that are not finite
+    class_ = agaa_unormOfCode(vec2(float(code)), 8u).x;
+#endif
+    agaa_out0 = vec4(agaa_unormOfCode(vec2(agaa_encodeHemiOct8(n)), 8u), class_, 0.0);
 #endif
 #if AGAA_WRITES_IDS
     if (!AGAA_HELPER)

@@ -35,7 +35,7 @@ agaa_LaneSample agaa_listedLaneSample(uvec2 pixel, uint lane) {
         vec3 normal = agaa_listedPlane(at);
         float depth = agaa_depthOf(pixel, i);
         s = agaa_laneSampleAt(agaa_sampleViewPosition(pixel, i, depth), depth, agaa_storedQuantum(depth),
-                              agaa_sampleLocation(i), normal, agaa_codeOfNormal(normal));
+                              agaa_sampleLocation(i), normal, agaa_listedCode(at, normal));
         if (AGAA_GLOSS_WEIGHT != 0u) {
             s.shadingNormal = agaa_listedNormal(at, i);
             s.alpha2 = agaa_listMaterial[at].alpha2;
@@ -61,8 +61,10 @@ void agaa_groupComplexPixels() {
             if (writes)
                 agaa_masks[lane * AGAA_AGGREGATES + a] = mask;
         }
-        if (writes)
+        if (writes) {
             agaa_setAggregates(lane, group.count);
+            agaa_count(AGAA_COUNT_JOINED_CLASSES, uint(bitCount(group.joining)));
+        }
     }
 }
 #endif

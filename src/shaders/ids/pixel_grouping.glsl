@@ -31,8 +31,9 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
     uint i = 0u;
     do {
         if ((covered >> i & 1u) != 0u) {
-            vec3 normal = agaa_listedPlane(agaa_samplePrimitive[i]);
-            agaa_addSample(samples, pixel, i, normal, agaa_codeOfNormal(normal));
+            uint at = agaa_samplePrimitive[i];
+            vec3 normal = agaa_listedPlane(at);
+            agaa_addSample(samples, pixel, i, normal, agaa_listedCode(at, normal));
         }
     } while (++i < agaa_sampleCount());
     return agaa_withDistance(samples);
@@ -66,6 +67,7 @@ void agaa_groupListed(uint lane) {
     uvec2 pixel = agaa_pixelOf(lane);
     agaa_PixelSamples samples = agaa_listedSamples(pixel, lane);
     uint count = agaa_groupSamples(pixel, samples, agaa_sampleCount());
+    agaa_count(AGAA_COUNT_JOINED_CLASSES, uint(bitCount(agaa_joiningSamples)));
     agaa_setAggregates(lane, count);
     uint base = lane * AGAA_AGGREGATES;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a)

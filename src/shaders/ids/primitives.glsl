@@ -9,6 +9,7 @@
 #endif
 #include "aggregate/samples.glsl"
 #include "common/debug_view.glsl"
+#include "ids/fetched_custom.glsl"
 #include "ids/primitive_list.glsl"
 #include "math/sbaa_surfaces.glsl"
 
@@ -20,6 +21,12 @@ shared uint agaa_uncoveredSamples[64]; // of each pixel: samples that the G-buff
 #endif
 
 vec3 agaa_listedNormal(uint at, uint i) { return agaa_materialNormal(agaa_listMaterial[at], i); }
+
+// Returns the code of a sample's content, of agaa_codeWithClass().
+// plane   Normal of the entry's plane.
+uint agaa_listedCode(uint at, vec3 plane) {
+    return agaa_codeWithClass(agaa_codeOfNormal(plane), agaa_classOfMaterial(agaa_listMaterial[at]), 1u);
+}
 
 uint agaa_loadIds(uvec2 pixel);
 uint agaa_findEntry(uvec2 pixel, uint left, out uint ofPrimitive);

@@ -68,11 +68,14 @@ void agaa_addMaterialOf(AgaaMaterial m, uint group, uint samples) {
 #endif
 }
 
-// Fetches the materials of a pixel. Returns whether shading normals are those of one surface. It precedes all readers
-// of agaa_materials, because compilers warn about reads that precede writes.
+// Fetches the materials of a pixel. Returns whether all samples may be in one aggregate: shading normals are those of
+// one surface, and materials have one class. It precedes all readers of agaa_materials, because compilers warn about
+// reads that precede writes.
 bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
     vec3 normal = vec3(0.0);
     float least = 1.0;
+    uint firstClass = 0u;
+    bool isOneClass = true;
     if (!agaa_keepsMaterials())
         agaa_beginMeans(pixel, samples);
     for (uint left = samples; left != 0u;) {
@@ -86,6 +89,9 @@ bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
             agaa_addMaterialOf(m, group, samples);
         bool isFirst = left == samples;
         left &= ~group;
+        uint class_ = agaa_classOfMaterial(m);
+        firstClass = isFirst ? class_ : firstClass;
+        isOneClass = isOneClass && class_ == firstClass;
         if (AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u)
             continue;
         normal = isFirst ? agaa_materialNormal(m, first) : normal;
@@ -93,7 +99,8 @@ bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
         for (; compared != 0u; compared &= compared - 1u)
             least = min(least, dot(normal, agaa_materialNormal(m, uint(findLSB(compared)))));
     }
-    return least >= agaa_frame.surfaceCosine || AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u;
+    bool isOneSurface = AGAA_GLOSS_WEIGHT == 0u || least >= agaa_frame.surfaceCosine;
+    return AGAA_AGGREGATES == 1u || (isOneSurface && isOneClass);
 }
 
 // Returns means over kept materials.

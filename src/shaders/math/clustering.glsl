@@ -3,7 +3,8 @@
 // maximin distance (the printed rule (e) picks existing seeds), a new aggregate only farther than t from every earlier
 // seed, ties broken by content, averages in integers; hard cases 10, 18, 20 to 24, 29 and 30.
 //
-// Needs AGAA_MAX_SAMPLES; at most 32 samples are clustered. The includer sets samples by agaa_setSample(). The arrays
+// Needs AGAA_MAX_SAMPLES; at most 32 samples are clustered. Needs AGAA_CLASSES, whether samples have classes
+// (AGAA_FILTER_CLASS). The includer sets samples by agaa_setSample(). The arrays
 // are globals in GLSL and members of a struct in C++. Results do not depend on the order of the samples, except the
 // indices of samples with equal content. Loops over samples, of which there is at least one, test at their end, because
 // software rasterisers run the code after a test once more.
@@ -12,16 +13,21 @@
 #ifndef AGAA_MAX_SAMPLES
 #error "clustering.glsl needs AGAA_MAX_SAMPLES."
 #endif
+#ifndef AGAA_CLASSES
+#error "clustering.glsl needs AGAA_CLASSES."
+#endif
 #include "real.glsl"
 
 rvec3 agaa_samplePosition[AGAA_MAX_SAMPLES]; // view space, relative to any origin
 rvec3 agaa_sampleNormal[AGAA_MAX_SAMPLES];   // unit
 uint agaa_sampleKeyA[AGAA_MAX_SAMPLES];      // depth key
-uint agaa_sampleKeyB[AGAA_MAX_SAMPLES];      // normal code and sub-pixel position key
+uint agaa_sampleKeyB[AGAA_MAX_SAMPLES];      // normal code and sub-pixel position key; with AGAA_CLASSES, its class and
+                                             // the number of samples it stands for are in place of the code
 real agaa_sampleStep[AGAA_MAX_SAMPLES];      // length of one step of the depth buffer at the sample
 uint agaa_sampleAggregate[AGAA_MAX_SAMPLES]; // result; 0 for samples without geometry
 uint agaa_sampleNearest[AGAA_MAX_SAMPLES];   // quantised distance to the nearest seed so far
 uint agaa_seedSample[8];                     // sample that founded each aggregate
+uint agaa_joiningSamples = 0u;               // result: samples whose class has no aggregate of its own
 
 // Sets a sample with geometry.
 void agaa_setSample(uint i, rvec3 position, rvec3 unitNormal, real depthStep, uint keyA, uint keyB) {
@@ -92,6 +98,37 @@ uint agaa_quantiseDistance(real d) {
     return ((q + ((1u << drop) >> 1u)) >> drop) << drop;
 }
 
+uint agaa_classOfKey(uint keyB) {
+    return keyB >> 24u;
+}
+
+// Returns the number of samples that a sample stands for: more than 1 if it is a fragment.
+uint agaa_weightOfKey(uint keyB) {
+    return (keyB >> 16u) & 0xFFu;
+}
+
+// Returns a quantised distance between two samples that is larger for those of different classes than for any of one
+// class. Each class then gets a seed before samples of one class are divided.
+uint agaa_separated(uint distance, uint keyBOfOne, uint keyBOfOther) {
+    uint result = distance;
+    if (AGAA_CLASSES) {
+        const bool differ = agaa_classOfKey(keyBOfOne) != agaa_classOfKey(keyBOfOther);
+        result = min(distance, 0x7FFFFFFFu) | (differ ? 0x80000000u : 0u);
+    }
+    return result;
+}
+
+// Returns the quantised threshold t, which different classes exceed.
+uint agaa_quantisedThreshold(real t) {
+    const uint threshold = agaa_quantiseDistance(max(t, real(0.0)));
+    return AGAA_CLASSES ? min(threshold, 0x7FFFFFFFu) : threshold;
+}
+
+// Returns the rank of a class, by which classes get aggregates of their own: first by its number of samples.
+uint agaa_rankOfClass(uint samples, uint class_) {
+    return samples << 8u | class_;
+}
+
 bool agaa_sampleIsCovered(uint covered, uint i) {
     return ((covered >> i) & 1u) != 0u;
 }
@@ -150,6 +187,47 @@ void agaa_compare(INOUT(agaa_Farthest) best, uint i, uint value) {
     }
 }
 
+// Returns whether all covered samples have one class.
+bool agaa_areAllOneClass(uint n, uint covered) {
+    bool one = true;
+    if (AGAA_CLASSES && covered != 0u) {
+        const uint first = agaa_classOfKey(agaa_sampleKeyB[findLSB(covered)]);
+        for (uint i = 0u; i < n; ++i) {
+            if (agaa_sampleIsCovered(covered, i)) {
+                one = one && agaa_classOfKey(agaa_sampleKeyB[i]) == first;
+            }
+        }
+    }
+    return one;
+}
+
+// Returns the samples of all classes but the `limit` of highest rank.
+uint agaa_findJoining(uint n, uint covered, uint limit) {
+    uint joining = covered;
+    for (uint k = 0u; k < limit && joining != 0u; ++k) {
+        uint highest = 0u;
+        uint ofHighest = 0u;
+        uint left = joining;
+        do {
+            const uint class_ = agaa_classOfKey(agaa_sampleKeyB[findLSB(left)]);
+            uint samples = 0u;
+            uint weight = 0u;
+            for (uint i = 0u; i < n; ++i) {
+                if (agaa_sampleIsCovered(left, i) && agaa_classOfKey(agaa_sampleKeyB[i]) == class_) {
+                    samples = samples | (1u << i);
+                    weight += agaa_weightOfKey(agaa_sampleKeyB[i]);
+                }
+            }
+            const uint rank = agaa_rankOfClass(weight, class_);
+            ofHighest = rank > highest ? samples : ofHighest;
+            highest = max(rank, highest);
+            left = left & ~samples;
+        } while (left != 0u);
+        joining = joining & ~ofHighest;
+    }
+    return joining;
+}
+
 real agaa_pairDistance(uint a, uint b, agaa_Lengths lengths) {
     return agaa_sampleDistance(agaa_samplePosition[a], agaa_samplePosition[b], agaa_sampleNormal[a],
                                agaa_sampleNormal[b],
@@ -175,9 +253,11 @@ uint agaa_addSeed(uint n, uint covered, uint id, uint seed, agaa_Lengths lengths
     uint i = 0u;
     do {
         if (agaa_sampleIsCovered(covered, i)) {
-            const uint d = agaa_quantiseDistance(agaa_sampleDistance(
-                agaa_samplePosition[i], position, agaa_sampleNormal[i], normal,
-                agaa_pairInverseK2(lengths, agaa_sampleStep[i], depthStep)));
+            const uint d = agaa_separated(
+                agaa_quantiseDistance(
+                    agaa_sampleDistance(agaa_samplePosition[i], position, agaa_sampleNormal[i], normal,
+                                        agaa_pairInverseK2(lengths, agaa_sampleStep[i], depthStep))),
+                agaa_sampleKeyB[i], content.keyB);
             uint nearest = agaa_sampleNearest[i];
             if (id == 0u || d < nearest ||
                 (d == nearest && ((precedes >> agaa_sampleAggregate[i]) & 1u) != 0u)) {
@@ -185,7 +265,9 @@ uint agaa_addSeed(uint n, uint covered, uint id, uint seed, agaa_Lengths lengths
                 agaa_sampleNearest[i] = d;
                 agaa_sampleAggregate[i] = id;
             }
-            agaa_compare(best, i, nearest);
+            if (!agaa_sampleIsCovered(agaa_joiningSamples, i)) {
+                agaa_compare(best, i, nearest);
+            }
         }
     } while (++i < n);
     return best.any ? best.content.sample_ : seed;
@@ -196,12 +278,15 @@ uint agaa_addSeed(uint n, uint covered, uint id, uint seed, agaa_Lengths lengths
 uint agaa_literalCandidate(uint n, uint covered, uint seeds, agaa_Lengths lengths) {
     agaa_Farthest best = agaa_noneYet();
     for (uint i = 0u; i < n; ++i) {
-        if (agaa_sampleIsCovered(covered, i)) {
+        if (agaa_sampleIsCovered(covered & ~agaa_joiningSamples, i)) {
             uint sum = 0u;
             for (uint s = 0u; s < seeds; ++s) {
                 const uint d =
                     agaa_quantiseDistance(agaa_pairDistance(i, agaa_seedSample[s], lengths));
                 sum = min(sum, 0xFFFFFFFFu - d) + d;
+            }
+            if (AGAA_CLASSES) { // a class that no seed has comes first
+                sum = min(sum, 0x7FFFFFFFu) | (agaa_sampleNearest[i] & 0x80000000u);
             }
             agaa_compare(best, i, sum);
         }
@@ -279,7 +364,7 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     agaa_Farthest best = agaa_noneYet();
     i = 0u;
     do {
-        if (agaa_sampleIsCovered(covered, i)) {
+        if (agaa_sampleIsCovered(covered & ~agaa_joiningSamples, i)) {
             agaa_compare(best, i,
                          agaa_quantiseDistance(agaa_sampleDistance(agaa_samplePosition[i] - lowest, mean.position,
                                                                    agaa_sampleNormal[i], mean.normal, inverseK2)));
@@ -296,7 +381,9 @@ bool agaa_mayExceed(real cornerDistance, uint threshold) {
 }
 
 // Partitions the covered samples into aggregates and returns their number. Writes ids in the order of the seeds to
-// agaa_sampleAggregate. The cost is O(n c), with literal seeds O(n c^2).
+// agaa_sampleAggregate. The cost is O(n c), with literal seeds O(n c^2). Samples of different classes are never in one
+// aggregate, except those of agaa_joiningSamples: where classes exceed c, those with the fewest samples, or of
+// equally many the lowest numbers, join the nearest aggregates.
 // covered        Mask of samples with geometry.
 // c              Maximum number of aggregates, [1, 8].
 // t              Lowest distance of a new aggregate from the others.
@@ -330,12 +417,17 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
         }
     } while (++i < samples);
     uint aggregates = any ? 1u : 0u;
+    agaa_joiningSamples = 0u;
+    const bool isOneClass = agaa_areAllOneClass(samples, present);
+    if (!isOneClass) {
+        agaa_joiningSamples = agaa_findJoining(samples, present, limit);
+    }
     if (any && limit > 1u) {
         const agaa_Lengths lengths = agaa_lengthsFor(k, t);
-        const uint threshold = agaa_quantiseDistance(max(t, real(0.0)));
+        const uint threshold = agaa_quantisedThreshold(t);
         const real bound = agaa_sampleDistance(lowest, highest, lowestNormal, highestNormal,
                                                agaa_pairInverseK2(lengths, finest, finest));
-        if (agaa_mayExceed(bound, threshold)) {
+        if (!isOneClass || agaa_mayExceed(bound, threshold)) {
             const rvec3 size = highest - lowest;
             const real extent = max(size.x, max(size.y, size.z));
             // All distances to the average use one length, that of the coarsest step.

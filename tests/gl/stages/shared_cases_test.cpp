@@ -26,6 +26,7 @@
 #include "lanes_cases.h"
 #include "left_handed_cases.h"
 #include "mask_cases.h"
+#include "material_class_cases.h"
 #include "pattern_cases.h"
 #include "plan_cases.h"
 #include "pulling_cases.h"
@@ -59,6 +60,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, MaskCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FramePlaceCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HdrResolveCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, MaterialClassCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ResolvedOutputCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, AdaptiveCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CullingCases, OpenGLHost);

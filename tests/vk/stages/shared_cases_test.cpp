@@ -26,6 +26,7 @@
 #include "lanes_cases.h"
 #include "left_handed_cases.h"
 #include "mask_cases.h"
+#include "material_class_cases.h"
 #include "pattern_cases.h"
 #include "plan_cases.h"
 #include "pulling_cases.h"
@@ -61,6 +62,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, MaskCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FramePlaceCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HdrResolveCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, MaterialClassCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ResolvedOutputCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, AdaptiveCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CullingCases, VulkanHost);

@@ -278,52 +278,9 @@ void testNameOfAttribute(Test& test) {
     }
 }
 
-// A view with an output of an attribute that is not averaged.
-void testUnfilteredOutput(Test& test) {
-    struct Row {
-        const char* technique;
-        uint32_t samples, tier;
-        uint64_t flags;
-        bool isAccepted;
-    };
-    for (const Row& row : {Row{"ssaa", 8, AGAA_TIER_AUTO, 0, true},
-                           {"agaa", 8, AGAA_TIER_POST_DEPTH_ATOMICS, 0, true},
-                           {"agaa", 8, AGAA_TIER_GBUFFER, 0, true},
-                           {"agaa", 8, AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED, true},
-                           {"agaa", 8, AGAA_TIER_IDS, 0, false},
-                           {"agaa", 64, AGAA_TIER_FRAGMENTS, 0, false},
-                           {"dcaa", 64, AGAA_TIER_FRAGMENT_LISTS, 0, false}}) {
-        ViewParts parts(test.sdk, nullptr);
-        test.requireOk(test.sdk.agaaGetBuiltinLayout("paper16", &parts.layout), "agaaGetBuiltinLayout(\"paper16\")");
-        AgaaLayoutAttribute kind = AGAA_LAYOUT_ATTRIBUTE_INIT;
-        kind.semantic = AGAA_SEMANTIC_CUSTOM;
-        kind.channels = 1;
-        kind.sampleBits = 8;
-        kind.filter = AGAA_FILTER_NONE;
-        kind.name = "kind";
-        parts.layout.attributes[parts.layout.attributeCount++] = kind;
-        parts.useLayout();
-        parts.config.technique = row.technique;
-        parts.config.samples = row.samples;
-        parts.config.generationTier = row.tier;
-        parts.config.flags |= row.flags;
-        if (row.tier == AGAA_TIER_IDS || row.samples > 32)
-            parts.chain(parts.fetch);
-        resolves(AGAA_RESOLVED_CUSTOM)(parts);
-        parts.outputs.outputs[0].attribute = "kind";
-        const std::string what = std::string("an output of AGAA_FILTER_NONE, \"") + row.technique + "\" and " +
-                                 test.sdk.agaaTierName(row.tier);
-        if (row.isAccepted)
-            expectAccepted(test, parts, what);
-        else
-            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what, "AGAA_FILTER_NONE");
-    }
-}
-
 } // namespace
 
 void addHostFunctionCases(Suite& suite) {
-    suite.core("AGAA_RESOLVED_CUSTOM/AGAA_ERROR_UNSUPPORTED", testUnfilteredOutput);
     suite.core("AgaaResolvedOutputs/AGAA_ERROR_UNSUPPORTED",
                [](Test& test) { testNotFor(test, {"msaa"}, "AgaaResolvedOutputs", resolves(AGAA_RESOLVED_NORMAL)); });
     suite.core("AgaaResolvedOutput.attribute/AGAA_ERROR_LAYOUT", testNameOfAttribute);

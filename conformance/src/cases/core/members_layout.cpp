@@ -156,12 +156,12 @@ void addAttributes(Suite& suite) {
                              customLayout(parts);
                              parts.layout.attributes[5].aggregateBits = 8; // 24 bits of an unfiltered attribute
                          },
-                         {AGAA_FILTER_NONE + 1}});
+                         {AGAA_FILTER_CLASS, AGAA_FILTER_CLASS + 1}}); // a class has one channel
     addAttribute(suite, {"AgaaLayoutAttribute.filter/enum/diffuse",
                          "AgaaLayoutAttribute::filter",
                          set<0, &Attribute::filter>,
                          {0},
-                         largeNumbers({AGAA_FILTER_NORMAL, AGAA_FILTER_NONE}),
+                         largeNumbers({AGAA_FILTER_NORMAL, AGAA_FILTER_NONE, AGAA_FILTER_CLASS}),
                          simpleLayout});
     const auto setReserved = [](ViewParts& parts, double x) {
         parts.layout.attributes[1].reserved[x < 0] = uint64_t(std::fabs(x));
@@ -218,6 +218,43 @@ void testAttributeMembers(Test& test) {
     expectViewRefused(test, named, AGAA_ERROR_LAYOUT, "DIFFUSE with a name");
 }
 
+// Tests an attribute with AGAA_FILTER_CLASS.
+void testClasses(Test& test) {
+    struct Row {
+        const char* what;
+        uint32_t channels, sampleBits, aggregateBits;
+        float range;
+        bool isSecond, isAccepted;
+    };
+    for (const Row& row : {Row{"a class", 1, 8, 8, 255, false, true},
+                           {"a class with aggregateBits of 0", 1, 8, 0, 255, false, true},
+                           {"a class with 2 channels", 2, 8, 8, 255, false, false},
+                           {"a class with sampleBits of 16", 1, 16, 8, 255, false, true},
+                           {"a class with aggregateBits of 16", 1, 8, 16, 255, false, false},
+                           {"a class with range 1", 1, 8, 8, 1, false, false},
+                           {"two classes", 1, 8, 8, 255, true, false}}) {
+        ViewParts parts(test.sdk, nullptr);
+        simpleLayout(parts);
+        AgaaLayoutAttribute kind = AGAA_LAYOUT_ATTRIBUTE_INIT;
+        kind.semantic = AGAA_SEMANTIC_CUSTOM;
+        kind.channels = row.channels;
+        kind.sampleBits = row.sampleBits;
+        kind.aggregateBits = row.aggregateBits;
+        kind.filter = AGAA_FILTER_CLASS;
+        kind.range = row.range;
+        for (const char* name : {"kind", "sort"}) {
+            kind.name = name;
+            if (!row.isSecond && parts.layout.attributeCount > 5)
+                break;
+            parts.layout.attributes[parts.layout.attributeCount++] = kind;
+        }
+        if (row.isAccepted)
+            expectAccepted(test, parts, row.what);
+        else
+            expectViewRefused(test, parts, AGAA_ERROR_LAYOUT, row.what, "class");
+    }
+}
+
 // Tests the member also if another member is wrong.
 void testReservedMembers(Test& test) {
     for (uint32_t i = 0; i < 5; ++i) {
@@ -270,6 +307,7 @@ void addLayoutMemberCases(Suite& suite) {
                       {1}});
     suite.core("AgaaLayoutAttribute.name/AGAA_ERROR_LAYOUT", testNames);
     suite.core("AgaaLayout/AGAA_ERROR_LAYOUT", testAttributeMembers);
+    suite.core("AGAA_FILTER_CLASS/AGAA_ERROR_LAYOUT", testClasses);
     suite.core("AgaaLayout/AGAA_ERROR_OUT_OF_RANGE", testReservedMembers);
     suite.core("AGAA_FACT_NO_DIFFUSE/AGAA_ERROR_LAYOUT", testNoDiffuse);
 }

@@ -57,7 +57,7 @@ Layout surfaceLayout(const ViewSettings& view) {
         attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
     }
     for (CustomAttribute& custom : layout.customs)
-        if (custom.attribute.filter != AGAA_FILTER_NONE) // whose channels must fit a word
+        if (!isUnfiltered(custom.attribute)) // whose channels must fit a word
             custom.attribute.aggregateBits = std::max(custom.attribute.sampleBits, 6u);
     if (!view.shadingFunction && std::ranges::none_of(view.resolvedOutputs, resolvesCustom))
         layout.customs.clear(); // no shader reads them: agaaGetAggregateGlsl() is for "agaa"
@@ -68,6 +68,7 @@ void setRecord(Pass& pass, const Aggregation& a) {
     setFields(pass.constants, AGAA_FIELD_DIFFUSE_R, a.packing.fields);
     pass.constants[AGAA_WORDS] = a.packing.words;
     pass.constants[AGAA_UNFILTERED_WORDS] = a.packing.unfilteredWords;
+    pass.constants[AGAA_CLASS_WORD] = a.packing.classWord;
     pass.constants[AGAA_STRIDE] = a.stride;
     pass.constants[AGAA_SPREAD_WORDS] = a.spreadWords;
     pass.constants[AGAA_FIELD_COVERAGE] = a.packing.coverage.constant();
@@ -104,8 +105,9 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     if (metadata != noResource)
         b.bind(pass, host_slot::Metadata, BindingType::Texture, metadata);
     // Fragments at the far plane equal the cleared depth, although the prepass does not show them. The normals
-    // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself.
-    if (!a.represented && !b.view().reversedZ)
+    // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself. The
+    // classes of an aggregate's samples are there, too.
+    if (!a.represented && (!b.view().reversedZ || a.packing.classWord))
         b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.values);
     b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.view().hwSamples > 1)
@@ -131,7 +133,9 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
 } // namespace
 
 void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
-    const Prepass prepass = drawPrepass(b, b.wantsStencil());
+    // The class is beside the normal.
+    const Format values = a.packing.classWord && !a.represented ? Format::RGBA8 : Format::RG8;
+    const Prepass prepass = drawPrepass(b, b.wantsStencil(), "normals", values);
     const ResourceId aggregates = aggregateBuffer(b, a, b.view().claimBytes());
     const ResourceId metadata = a.define(
         [&](Pass& pass) {
