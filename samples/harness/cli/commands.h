@@ -43,11 +43,13 @@ struct RenderArguments {
     uint32_t ditherFrame = 0;
     std::string shadingFunction; // render: a file with GLSL; empty: none
     std::string shadingLevel = "event";
-    std::vector<std::string> resolved; // render: AgaaResolvedValue
-    bool layers = false;               // render
-    std::string motion = "still";      // render: of the scene
-    uint32_t spp = 512;                // reference: samples per pixel
-    std::string footprint = "pixel";   // reference: pixel or sample
+    std::string environment;            // render, reference: an image file; empty: none
+    std::vector<std::string> clearCoat; // render, reference: materials of the scene
+    std::vector<std::string> resolved;  // render: AgaaResolvedValue
+    bool layers = false;                // render
+    std::string motion = "still";       // render: of the scene
+    uint32_t spp = 512;                 // reference: samples per pixel
+    std::string footprint = "pixel";    // reference: pixel or sample
     bool noCounters = false;
     bool noTimestamps = false;
     std::string png;
@@ -124,6 +126,8 @@ std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);
 // Throws BadArgument if there is no such scene. Prints the features of a file that the scene does not have to stderr.
 Scene loadSceneArgument(const std::string& nameOrPath);
+// Returns the scene of the arguments, with the clear coats that they ask for.
+Scene sceneOf(const RenderArguments& arguments);
 RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration, const Scene& scene);
 
 } // namespace harness

@@ -19,7 +19,7 @@ using nlohmann::json;
 void runReference(const RenderArguments& arguments, bool asJson) {
     const Configuration configuration(arguments.plan);
     requireBackend(arguments.device.backend);
-    const Scene scene = loadSceneArgument(arguments.scene);
+    const Scene scene = sceneOf(arguments);
     RenderSettings settings = renderSettings(arguments, configuration, scene);
     const auto renderer = makeRenderer(arguments.device);
     renderer->load(scene);

@@ -4,6 +4,7 @@
 #include "render/quantiles.h"
 
 #include "image/image.h"
+#include "scene/shortened.h"
 
 #include <nlohmann/json.hpp>
 
@@ -63,6 +64,33 @@ std::string readShadingFunction(const std::string& path) {
     return text.str();
 }
 
+// Returns the filtered light of the arguments, or null.
+std::shared_ptr<const Environment> environmentOf(const RenderArguments& arguments) {
+    if (arguments.environment.empty())
+        return nullptr;
+    if (!arguments.shadingFunction.empty())
+        throw BadArgument("--environment has a shading function of its own; it excludes --shading-function.");
+    return std::make_shared<const Environment>(loadEnvironment(arguments.environment));
+}
+
+Scene sceneOf(const RenderArguments& arguments) {
+    Scene scene = loadSceneArgument(arguments.scene);
+    if (!arguments.clearCoat.empty() && arguments.environment.empty())
+        throw BadArgument("--clear-coat needs --environment.");
+    for (const std::string& name : arguments.clearCoat) {
+        std::string known;
+        bool isFound = false;
+        for (Material& material : scene.materials) {
+            material.hasClearCoat |= material.name == name;
+            isFound |= material.name == name;
+            known += (known.empty() ? "" : ", ") + shortened(material.name);
+        }
+        if (!isFound)
+            throw BadArgument("--clear-coat names \"" + name + "\"; the scene has the materials " + known + ".");
+    }
+    return scene;
+}
+
 AgaaResolvedValue resolvedValue(const std::string& name) {
     return name == "nearest-depth" ? AGAA_RESOLVED_NEAREST_DEPTH
            : name == "mean-depth"  ? AGAA_RESOLVED_MEAN_DEPTH
@@ -98,6 +126,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.computesTriangles = configuration.computesTriangles;
     settings.shadingGlsl = readShadingFunction(arguments.shadingFunction);
     settings.shadingLevel = parseShadingLevel(arguments.shadingLevel);
+    settings.environment = environmentOf(arguments);
     for (const std::string& name : arguments.resolved)
         settings.resolved.push_back(resolvedValue(name));
     settings.hasLayers = arguments.layers;
@@ -192,6 +221,14 @@ json factsJson(const AgaaFactReport& r) {
             {"sufficient", r.sufficient},         {"explanation", r.explanation}};
 }
 
+json environmentJson(const Environment& e) {
+    return {{"file", e.file.string()},
+            {"size", std::to_string(e.fileWidth) + "x" + std::to_string(e.fileHeight)},
+            {"replacedValues", e.replacedValues},
+            {"milliseconds", e.milliseconds},
+            {"bytes", e.bytes()}};
+}
+
 json messagesJson(Renderer& renderer) {
     json messages = json::array();
     for (const ApiMessage& message : renderer.takeMessages())
@@ -276,7 +313,7 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     requireBackend(arguments.device.backend);
     if (!arguments.camera.empty())
         parseCamera(arguments.camera); // fails before the scene is loaded
-    Scene scene = loadSceneArgument(arguments.scene);
+    Scene scene = sceneOf(arguments);
     RenderSettings settings = renderSettings(arguments, configuration, scene);
     if (arguments.motion != "still")
         settings.motion = sceneMotion(arguments.motion, scene, settings);
@@ -300,6 +337,8 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     json out = resultJson(m, arguments, *renderer, configuration.size);
     if (settings.config.keepsLists())
         out["fragmentsPerPixel"] = settings.config.coverage.fragmentsPerPixel;
+    if (settings.environment)
+        out["environment"] = environmentJson(*settings.environment);
     if (asJson) {
         std::cout << out.dump(2) << '\n';
         return;
@@ -312,6 +351,10 @@ void runRender(const RenderArguments& arguments, bool asJson) {
         std::printf("%u variants; recorded and run in %.1f ms (median), %.1f ms at most\n",
                     m.plain.statistics.back().variantCount, quantile(m.plain.recordToFinishMs, 0.5),
                     quantile(m.plain.recordToFinishMs, 1));
+    if (settings.environment)
+        std::printf("environment of %ux%u pixels filtered in %.0f ms, %.1f MB\n", settings.environment->fileWidth,
+                    settings.environment->fileHeight, settings.environment->milliseconds,
+                    double(settings.environment->bytes()) / 1e6);
     if (m.plain.facts)
         std::printf("%s\n", m.plain.facts->explanation);
     if (configuration.fitsFragmentCapacity && out.contains("fragmentsPerPixel"))

@@ -54,6 +54,14 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     app.add_flag("--no-timestamps", a.noTimestamps);
 }
 
+void addEnvironmentOptions(CLI::App& app, RenderArguments& a) {
+    app.add_option("--environment", a.environment,
+                   "light by a .hdr or .exr image of longitude and latitude, in place of the ambient light");
+    app.add_option("--clear-coat", a.clearCoat,
+                   "materials of the scene that get a clear coat, as those with KHR_materials_clearcoat have")
+        ->delimiter(',');
+}
+
 void addGoalOptions(CLI::App& app, ChooseArguments& a) {
     app.add_option("--max-error", a.maxError, "largest error by that of single, 0 to 1");
     app.add_option("--max-mse", a.maxMse, "largest mean square error after tone mapping");
@@ -165,6 +173,7 @@ void run(int argc, char** argv) {
     RenderArguments renderArguments;
     CLI::App* render = command("render", "render a scene through the SDK");
     addRenderOptions(*render, renderArguments);
+    addEnvironmentOptions(*render, renderArguments);
     render
         ->add_option("--alpha-points", renderArguments.alphaPoints,
                      "where cut-outs read alpha in a texel: 1, 4 or, of dcaa, which has 4 at least, 16")
@@ -188,6 +197,7 @@ void run(int argc, char** argv) {
     RenderArguments referenceArguments;
     CLI::App* reference = command("reference", "a jittered, accumulated reference image");
     addRenderOptions(*reference, referenceArguments);
+    addEnvironmentOptions(*reference, referenceArguments);
     reference
         ->add_option("--footprint", referenceArguments.footprint,
                      "what textures are filtered over: a pixel, as in all techniques, or one of the samples")

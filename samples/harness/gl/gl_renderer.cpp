@@ -49,6 +49,16 @@ const AgaaFetchFunction* GlRenderer::fetchFunction(bool) {
     return &fetch_->function();
 }
 
+EnvironmentBindings GlRenderer::useEnvironment(const std::shared_ptr<const Environment>& environment, bool) {
+    device_.makeCurrent();
+    if (environmentSource_ != environment) {
+        environment_.emplace(device_.gl(), *environment);
+        environmentSource_ = environment;
+    }
+    return {"binding = " + std::to_string(GpuEnvironment::mapUnit),
+            "binding = " + std::to_string(GpuEnvironment::constantsBinding), 0};
+}
+
 AgaaView GlRenderer::useView(const AgaaViewDesc& desc) {
     device_.makeCurrent();
     view_ = &sdk_.view(desc);
@@ -87,6 +97,8 @@ void GlRenderer::setCamera(const FrameInput& input) {
         fetch_->update(scene(), input.draws, {viewProjection, camera.viewer});
         fetch_->bind();
     }
+    if (environment_)
+        environment_->bind();
     device_.checkErrors("set the camera");
 }
 

@@ -1,6 +1,7 @@
 // The sample engine on OpenGL: a host of the SDK.
 #pragma once
 
+#include "gl/gpu_environment.h"
 #include "gl/gpu_fetch.h"
 #include "gl/gpu_motion.h"
 #include "gl/gpu_strips.h"
@@ -30,6 +31,7 @@ private:
     uint64_t viewFlags() const override;
     void upload() override;
     const AgaaFetchFunction* fetchFunction(bool coversByEdges) override;
+    EnvironmentBindings useEnvironment(const std::shared_ptr<const Environment>& environment, bool inDraws) override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
     void setCamera(const FrameInput& input) override;
@@ -56,7 +58,9 @@ private:
     uint32_t outputWidth_ = 0;
     uint32_t outputHeight_ = 0;
     std::optional<gl::GpuScene> gpuScene_;
-    std::optional<gl::GpuFetch> fetch_;   // set if a view fetches materials by id
+    std::optional<gl::GpuFetch> fetch_;                    // set if a view fetches materials by id
+    std::shared_ptr<const Environment> environmentSource_; // of environment_
+    std::optional<gl::GpuEnvironment> environment_;
     std::optional<gl::GpuStrips> strips_; // set if a pass pulls vertices
     const gl::GlSdkView* view_ = nullptr; // view in use
 };

@@ -58,7 +58,7 @@ std::string PassPrograms::fragmentText(const DrawPass<AgaaGlDrawPass>& pass, con
         }
         text += "#define COPY_OUTPUTS " + copies + "\n";
     }
-    return text + embedded::material_glsl + embedded::material_inputs_glsl +
+    return text + classDefineOf(pass) + embedded::material_glsl + embedded::material_inputs_glsl +
            (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? embedded::corners_frag : embedded::material_frag);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "agaa_sdk.h"
+#include "render/environment_glsl.h"
 
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +21,12 @@ inline int cornerOutputs(const AgaaDrawPass& pass) {
         return 0;
     return std::string_view(pass.glslDeclarations).find("#define AGAA_NEEDS_MATERIAL 1") == std::string_view::npos ? 1
                                                                                                                    : 2;
+}
+
+// Returns the definitions before the sample engine's material shaders, for passes whose materials have a class.
+inline std::string classDefineOf(const AgaaDrawPass& pass) {
+    const std::string member = std::string("float ") + classAttribute;
+    return std::string_view(pass.glslDeclarations).find(member) == std::string_view::npos ? "" : classDefine;
 }
 
 // `check` throws if a result is an error.

@@ -5,6 +5,12 @@
 
 namespace harness {
 
+int classOf(const Material& material) { return material.hasClearCoat ? 1 : 0; }
+
+bool hasClasses(const Scene& scene) {
+    return std::ranges::any_of(scene.materials, [](const Material& material) { return classOf(material) != 0; });
+}
+
 MaterialConstants materialConstants(const Material& material) {
     MaterialConstants c;
     c.baseColor = material.baseColor;
@@ -13,6 +19,7 @@ MaterialConstants materialConstants(const Material& material) {
     c.roughness = material.roughness;
     c.normalScale = material.normalScale;
     c.alphaCutoff = material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : -1;
+    c.materialClass = float(classOf(material));
     return c;
 }
 

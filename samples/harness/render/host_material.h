@@ -20,9 +20,14 @@ struct MaterialConstants {
     float roughness = 1;
     float normalScale = 1;
     float alphaCutoff = -1;
-    float padding = 0;
+    float materialClass = 0; // classOf()
 };
 static_assert(sizeof(MaterialConstants) == 48);
+// Returns the class by which shaders/environment.glsl chooses the reflectance of a material: 1 with a clear coat, else
+// 0.
+int classOf(const Material& material);
+// Returns whether materials of the scene have more than one class, or one other than 0.
+bool hasClasses(const Scene& scene);
 MaterialConstants materialConstants(const Material& material);
 // Returns indices into Scene::textures; -1 if the material has no such texture.
 std::array<int, materialTextureCount> materialTextures(const Scene& scene, const Material& material);

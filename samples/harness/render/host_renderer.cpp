@@ -1,5 +1,6 @@
 #include "render/host_renderer.h"
 
+#include "render/host_material.h"
 #include "render/layers.h"
 #include "render/lights.h"
 #include "render/sdk_queries.h"
@@ -18,7 +19,7 @@ static AgaaSceneFacts completeFacts(const Scene& scene, const RenderSettings& se
     const AgaaSceneFacts found = sceneFacts(scene, settings.lights);
     AgaaSceneFacts facts = settings.facts;
     facts.flags &= found.flags | ~uint64_t(AGAA_FACT_ALL_SHADED);
-    if (settings.ambient == glm::vec3(0))
+    if (settings.ambient == glm::vec3(0) || settings.environment)
         facts.flags &= ~uint64_t(AGAA_FACT_AMBIENT);
     if (settings.showsMotionSince)
         facts.flags |= AGAA_FACT_EMISSIVE;
@@ -38,21 +39,37 @@ static bool writesMotion(const RenderSettings& settings) {
 }
 
 // Returns a layout with the attribute; null stands for "precise".
-static AgaaLayout withMotion(const AgaaLayout* own) {
+static AgaaLayout withAttribute(const AgaaLayout* own, const AgaaLayoutAttribute& attribute, const char* shows) {
     AgaaLayout layout = AGAA_LAYOUT_INIT;
     if (own)
         layout = *own;
     else
         agaaGetBuiltinLayout("precise", &layout);
     if (layout.attributeCount >= AGAA_MAX_LAYOUT_ATTRIBUTES)
-        throw std::runtime_error("The layout has no room for the attribute of motion vectors.");
-    AgaaLayoutAttribute& velocity = layout.attributes[layout.attributeCount++];
-    agaaInitLayoutAttribute(&velocity);
+        throw std::runtime_error(std::string("The layout has no room for the attribute of ") + shows + ".");
+    layout.attributes[layout.attributeCount++] = attribute;
+    return layout;
+}
+
+static AgaaLayout withMotion(const AgaaLayout* own) {
+    AgaaLayoutAttribute velocity = AGAA_LAYOUT_ATTRIBUTE_INIT;
     velocity.semantic = AGAA_SEMANTIC_CUSTOM;
     velocity.channels = 2;
     velocity.sampleBits = 16;
     velocity.name = motionAttribute;
-    return layout;
+    return withAttribute(own, velocity, "motion vectors");
+}
+
+// The code of the attribute is the class.
+static AgaaLayout withClass(const AgaaLayout* own) {
+    AgaaLayoutAttribute materialClass = AGAA_LAYOUT_ATTRIBUTE_INIT;
+    materialClass.semantic = AGAA_SEMANTIC_CUSTOM;
+    materialClass.channels = 1;
+    materialClass.sampleBits = 8;
+    materialClass.range = 255;
+    materialClass.filter = AGAA_FILTER_NONE; // a mean of classes is none
+    materialClass.name = classAttribute;
+    return withAttribute(own, materialClass, "classes of materials");
 }
 
 void HostRenderer::load(const Scene& scene) {
@@ -76,6 +93,12 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
         config.layout = &layout;
         config.temporal.motion = motionAttribute;
     }
+    const bool writesClass = settings.environment && hasClasses(scene_);
+    AgaaLayout classLayout = AGAA_LAYOUT_INIT;
+    if (writesClass) {
+        classLayout = withClass(config.layout);
+        config.layout = &classLayout;
+    }
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
     desc.width = settings.width;
     desc.height = settings.height;
@@ -85,17 +108,29 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
                  (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0) |
                  (settings.vertexPulling ? AGAA_VIEW_VERTEX_PULLING : 0);
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+    std::string fetchText;
     if (settings.config.fetches()) {
         fetch = *fetchFunction(settings.config.coversByEdges());
         fetch.flags = settings.unfetchedEvery ? AGAA_FETCH_NOT_ALL_DRAWS : 0;
         if (!settings.computesTriangles)
             fetch.maxTriangles = 0;
+        if (writesClass) {
+            fetchText = std::string(classDefine) + fetch.glsl;
+            fetch.glsl = fetchText.c_str();
+        }
         desc.pNext = &fetch;
     }
     AgaaShadingFunction shading = AGAA_SHADING_FUNCTION_INIT;
-    if (!settings.shadingGlsl.empty()) {
-        shading.glsl = settings.shadingGlsl.c_str();
-        shading.level = settings.shadingLevel;
+    std::string shadingText = settings.shadingGlsl;
+    if (settings.environment) {
+        const std::string_view techniqueName = config.technique;
+        const EnvironmentBindings bindings = useEnvironment(settings.environment, techniqueName == "msaa");
+        shadingText = environmentGlsl(bindings, facts, writesClass);
+        shading.descriptorSetLayout = bindings.descriptorSetLayout;
+    }
+    if (!shadingText.empty()) {
+        shading.glsl = shadingText.c_str();
+        shading.level = settings.environment ? AGAA_SHADING_EVENT : settings.shadingLevel;
         shading.pNext = desc.pNext;
         desc.pNext = &shading;
     }

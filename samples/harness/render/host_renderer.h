@@ -4,6 +4,7 @@
 
 #include "render/camera_matrices.h"
 #include "render/draw_list.h"
+#include "render/environment_glsl.h"
 #include "render/sdk_log.h"
 
 #include <chrono>
@@ -45,6 +46,8 @@ protected:
     // Returns the function that fetches the materials of scene(), for views that fetch. `coversByEdges` is true if the
     // tier is not IDS.
     virtual const AgaaFetchFunction* fetchFunction(bool coversByEdges) = 0;
+    // Makes an environment available to the functions of the views, or, with inDraws, to the fragment shaders of draws.
+    virtual EnvironmentBindings useEnvironment(const std::shared_ptr<const Environment>& environment, bool inDraws) = 0;
     // Returns the view of a description. It runs before all other steps, so that the SDK reports unsupported settings.
     virtual AgaaView useView(const AgaaViewDesc& desc) = 0;
     // Creates the output, shadow maps and pipelines that the frames need. Called again when draws have changed.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "agaa_sdk.h"
+#include "environment/environment.h"
 #include "render/technique_config.h"
 #include "image/image.h"
 #include "scene/motion.h"
@@ -66,8 +67,9 @@ struct RenderSettings {
     bool computesTriangles = false; // AgaaFetchFunction::maxTriangles
     std::string shadingGlsl;        // AgaaShadingFunction::glsl; empty: the library's model
     AgaaShadingLevel shadingLevel = AGAA_SHADING_EVENT;
-    std::vector<AgaaResolvedValue> resolved; // AgaaResolvedOutputs, at most 4; not CUSTOM
-    bool hasLayers = false;                  // a transparent pane and particles over the image; see layers.h
+    std::vector<AgaaResolvedValue> resolved;        // AgaaResolvedOutputs, at most 4; not CUSTOM
+    std::shared_ptr<const Environment> environment; // replaces `ambient` and shadingGlsl; null: none
+    bool hasLayers = false;                         // a transparent pane and particles over the image; see layers.h
 };
 
 // The result of a configuration in the SDK.

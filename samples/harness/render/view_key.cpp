@@ -45,6 +45,28 @@ void addFetchFunction(Key& key, const AgaaFetchFunction& function) {
     key.add(function.flags);
 }
 
+void addShadingFunction(Key& key, const AgaaShadingFunction& function) {
+    key.add(function.glsl);
+    key.add(function.glslExtensions);
+    key.add(function.level);
+    key.add(function.descriptorSetLayout);
+}
+
+// Adds the chained functions. Returns false if the chain has another struct.
+bool addFunctions(Key& key, const AgaaViewDesc& desc) {
+    for (auto* next = static_cast<const AgaaStructHeader*>(desc.pNext); next;
+         next = static_cast<const AgaaStructHeader*>(next->pNext)) {
+        key.add(next->sType);
+        if (next->sType == AGAA_STRUCTURE_TYPE_FETCH_FUNCTION)
+            addFetchFunction(key, *reinterpret_cast<const AgaaFetchFunction*>(next));
+        else if (next->sType == AGAA_STRUCTURE_TYPE_SHADING_FUNCTION)
+            addShadingFunction(key, *reinterpret_cast<const AgaaShadingFunction*>(next));
+        else
+            return false;
+    }
+    return true;
+}
+
 // Returns the struct of this type in a chain, or the initial value if there is none.
 template <class T> T chainedOr(const AgaaConfig& config, uint32_t sType, const T& initial) {
     for (auto* next = static_cast<const AgaaStructHeader*>(config.pNext); next;
@@ -69,9 +91,8 @@ bool isKnown(const AgaaConfig& config) {
 
 std::string viewKey(const AgaaViewDesc& desc) {
     const AgaaConfig& config = *desc.config;
-    const auto* chained = static_cast<const AgaaStructHeader*>(desc.pNext);
-    const bool fetches = chained && chained->sType == AGAA_STRUCTURE_TYPE_FETCH_FUNCTION && !chained->pNext;
-    if ((chained && !fetches) || !isKnown(config) || desc.facts->pNext || (config.layout && config.layout->pNext))
+    Key key;
+    if (!addFunctions(key, desc) || !isKnown(config) || desc.facts->pNext || (config.layout && config.layout->pNext))
         return {};
     const auto aggregation = chainedOr(config, AGAA_STRUCTURE_TYPE_AGGREGATION, AgaaAggregation AGAA_AGGREGATION_INIT);
     const auto coverage =
@@ -80,9 +101,6 @@ std::string viewKey(const AgaaViewDesc& desc) {
         chainedOr(config, AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, AgaaAdaptiveSampling AGAA_ADAPTIVE_SAMPLING_INIT);
     const auto temporal = chainedOr(config, AGAA_STRUCTURE_TYPE_TEMPORAL, AgaaTemporal AGAA_TEMPORAL_INIT);
     const auto measurement = chainedOr(config, AGAA_STRUCTURE_TYPE_MEASUREMENT, AgaaMeasurement AGAA_MEASUREMENT_INIT);
-    Key key;
-    if (fetches)
-        addFetchFunction(key, *static_cast<const AgaaFetchFunction*>(desc.pNext));
     key.add(desc.width);
     key.add(desc.height);
     key.add(desc.flags);

@@ -12,8 +12,9 @@
 
 namespace harness {
 
-inline constexpr std::array knownExtensions{"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                            "KHR_mesh_quantization", "KHR_texture_transform"};
+inline constexpr std::array knownExtensions{"KHR_lights_punctual", "KHR_materials_clearcoat",
+                                            "KHR_materials_emissive_strength", "KHR_mesh_quantization",
+                                            "KHR_texture_transform"};
 
 // Parses a .gltf or .glb file; its first bytes decide which. Images are not decoded: Image::image holds the bytes of an
 // image file, and is empty if the image lies in a buffer or its file is missing or empty. Throws std::runtime_error

@@ -31,6 +31,9 @@ Material materialOf(const tinygltf::Material& source) {
     if (strength != source.extensions.end() && strength->second.Has("emissiveStrength"))
         emissiveStrength = std::max(finiteFloat(strength->second.Get("emissiveStrength").GetNumberAsDouble()), 0.0f);
     material.emissive = scaledEmission(material.emissive, emissiveStrength);
+    const auto coat = source.extensions.find("KHR_materials_clearcoat");
+    if (coat != source.extensions.end() && coat->second.Has("clearcoatFactor"))
+        material.hasClearCoat = coat->second.Get("clearcoatFactor").GetNumberAsDouble() >= 0.5;
     material.alphaMode = source.alphaMode == "MASK"    ? AlphaMode::Mask
                          : source.alphaMode == "BLEND" ? AlphaMode::Blend
                                                        : AlphaMode::Opaque;

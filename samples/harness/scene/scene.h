@@ -49,6 +49,7 @@ struct Material {
     float alphaCutoff = 0.5f;
     bool doubleSided = false;
     float normalScale = 1;
+    bool hasClearCoat = false;  // KHR_materials_clearcoat, at full strength
     int baseColorTexture = -1;  // sRGB
     int normalTexture = -1;     // linear, tangent space
     int metalRoughTexture = -1; // linear, G roughness, B metallic

@@ -77,6 +77,9 @@ void setMaterial(inout AgaaSurfaceInput surface) {
     surface.emissive = model.emissive;
     surface.normal = model.normal;
     surface.alpha2 = model.alpha2;
+#ifdef MATERIAL_CLASSES
+    surface.materialClass = material.materialClass;
+#endif
     surface.normalDx = unitNormalChange(p, weighed(there.dx, cornerNormal).xyz);
     surface.normalDy = unitNormalChange(p, weighed(there.dy, cornerNormal).xyz);
 }

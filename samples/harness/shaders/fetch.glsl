@@ -186,7 +186,7 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     ivec4 layers = ivec4(texelFetch(fetchMaterials, m + 3)); // base, normal, metallic-roughness, emissive
     uvec4 samplers = texelFetch(fetchMaterials, m + 4);
     MaterialValues values = MaterialValues(uintBitsToFloat(texelFetch(fetchMaterials, m)), emissive.xyz, emissive.w,
-                                           numbers.x, numbers.y, numbers.z);
+                                           numbers.x, numbers.y, numbers.z, numbers.w);
     p.isBent = ((FETCH_LARGE | FETCH_SMALL) & 2) != 0 && layers.y >= 0;
     p.baseTexel = fetchColor(0, layers.x, samplers.x, uv, dx, dy);
     p.normalTexel = fetchValue(1, layers.y, samplers.y, uv, dx, dy);
@@ -198,6 +198,9 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     result.emissive = model.emissive;
     result.normal = model.normal;
     result.alpha2 = model.alpha2;
+#ifdef MATERIAL_CLASSES
+    result.materialClass = values.materialClass;
+#endif
     result.normalDx = unitNormalChange(p, fetchRotate(draw, 3, normalDx));
     result.normalDy = unitNormalChange(p, fetchRotate(draw, 3, normalDy));
 }

@@ -102,6 +102,9 @@ void main() {
     surface.emissive = model.emissive;
     surface.normal = model.normal;
     surface.alpha2 = model.alpha2;
+#ifdef MATERIAL_CLASSES
+    surface.materialClass = material.materialClass;
+#endif
 #if MOTION_OUTPUT
     vec2 motion;
     float distance;

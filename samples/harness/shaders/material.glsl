@@ -8,6 +8,7 @@ struct MaterialValues {
     float roughness;
     float normalScale;
     float alphaCutoff; // < 0: alpha is the coverage
+    float materialClass;
 };
 
 struct SurfacePoint {

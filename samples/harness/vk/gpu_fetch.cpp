@@ -1,5 +1,7 @@
 #include "vk/gpu_fetch.h"
 
+#include "vk/gpu_environment.h"
+
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
@@ -72,18 +74,22 @@ void GpuFetch::createSet() {
             return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
         return isTexels(binding) ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     };
-    std::array<VkDescriptorSetLayoutBinding, BindingCount> bindings{};
+    std::array<VkDescriptorSetLayoutBinding, BindingCount + 2> bindings{};
     for (uint32_t i = 0; i < BindingCount; ++i)
         bindings[i] = {i, type(i), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+    // Functions of one view share a set. Without an environment, no shader uses these bindings.
+    static_assert(environmentBinding == BindingCount);
+    std::ranges::copy(environmentLayoutBindings(environmentBinding, VK_SHADER_STAGE_COMPUTE_BIT),
+                      bindings.begin() + BindingCount);
     VkDescriptorSetLayoutCreateInfo layout{};
     layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    layout.bindingCount = BindingCount;
+    layout.bindingCount = uint32_t(bindings.size());
     layout.pBindings = bindings.data();
     layout_ = make<DescriptorSetLayout>(device_->get(), vkCreateDescriptorSetLayout, layout,
                                         "create a descriptor set layout");
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
                                           {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 4},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 5}};
     set_ = DescriptorSet(device_->get(), layout_.get(), sizes);
 
     const VkDescriptorBufferInfo camera{camera_.buffer.get(), 0, VK_WHOLE_SIZE};

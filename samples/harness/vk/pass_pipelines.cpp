@@ -12,7 +12,7 @@ namespace {
 std::string fragmentText(const DrawPass<AgaaVkDrawPass>& pass, const Variant& variant) {
     return std::string("#version 450\n") + pass.glslExtensions + "\n#define AGAA_ALPHA_MASKED " +
            (variant.isMasked ? "1\n" : "0\n") + "#define MOTION_OUTPUT " + std::to_string(int(variant.motion)) + "\n" +
-           pass.glslDeclarations + "\n" + embedded::interface_glsl + embedded::material_glsl +
+           pass.glslDeclarations + "\n" + classDefineOf(pass) + embedded::interface_glsl + embedded::material_glsl +
            embedded::material_inputs_glsl +
            (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? embedded::corners_frag : embedded::material_frag);
 }

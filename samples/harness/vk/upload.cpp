@@ -11,6 +11,8 @@ namespace {
 
 constexpr VkDeviceSize chunkSize = VkDeviceSize(16) << 20;
 
+VkFormat rgba8(bool srgb) { return srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM; }
+
 } // namespace
 
 Uploader::Uploader(const Device& device) : device_(&device), arena_(device) {}
@@ -39,23 +41,27 @@ void Uploader::fill(const BufferResource& buffer, std::span<const std::byte> byt
 }
 
 ImageResource Uploader::texture(Arena& arena, const std::vector<MipLevel>& levels, bool srgb) {
-    return sampledImage(arena, {&levels}, srgb, VK_IMAGE_VIEW_TYPE_2D);
+    return sampledImage(arena, {&levels}, rgba8(srgb), VK_IMAGE_VIEW_TYPE_2D);
+}
+
+ImageResource Uploader::halfTexture(Arena& arena, const std::vector<MipLevel>& levels) {
+    return sampledImage(arena, {&levels}, VK_FORMAT_R16G16B16A16_SFLOAT, VK_IMAGE_VIEW_TYPE_2D);
 }
 
 ImageResource Uploader::textureArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers, bool srgb) {
     std::vector<const std::vector<MipLevel>*> pointers;
     for (const std::vector<MipLevel>& layer : layers)
         pointers.push_back(&layer);
-    return sampledImage(arena, pointers, srgb, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
+    return sampledImage(arena, pointers, rgba8(srgb), VK_IMAGE_VIEW_TYPE_2D_ARRAY);
 }
 
-ImageResource Uploader::sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers, bool srgb,
-                                     VkImageViewType viewType) {
+ImageResource Uploader::sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers,
+                                     VkFormat format, VkImageViewType viewType) {
     const std::vector<MipLevel>& first = *layers.at(0);
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
+    info.format = format;
     info.extent = {first[0].width, first[0].height, 1};
     info.mipLevels = uint32_t(first.size());
     info.arrayLayers = uint32_t(layers.size());

@@ -16,12 +16,14 @@ public:
     void fill(const BufferResource& buffer, std::span<const std::byte> bytes);
     // Returns a sampled RGBA8 image in SHADER_READ_ONLY_OPTIMAL.
     ImageResource texture(Arena& arena, const std::vector<MipLevel>& levels, bool srgb);
-    // Returns such an image with layers of one size, for compute shaders.
+    // Returns such an image of half floats; MipLevel::rgba holds 8 bytes per texel.
+    ImageResource halfTexture(Arena& arena, const std::vector<MipLevel>& levels);
+    // Returns an RGBA8 image with layers of one size, for compute shaders.
     ImageResource textureArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers, bool srgb);
 
 private:
     const BufferResource& staging(VkDeviceSize size);
-    ImageResource sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers, bool srgb,
+    ImageResource sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers, VkFormat format,
                                VkImageViewType viewType);
 
     const Device* device_;

@@ -13,12 +13,18 @@ using namespace vk;
 
 namespace {
 
-constexpr uint32_t motionBinding = 1; // MOTION_AT of shaders/interface.glsl
+// Bindings of the camera's set.
+constexpr uint32_t motionBinding = 1;            // MOTION_AT of shaders/interface.glsl
+constexpr uint32_t functionSetIndex = 1;         // of the SDK's compute passes
+constexpr uint32_t cameraEnvironmentBinding = 2; // of views that shade in the engine's fragment shaders
 
 DescriptorSetLayout makeCameraLayout(const Device& device) {
+    const auto environment = environmentLayoutBindings(cameraEnvironmentBinding, VK_SHADER_STAGE_FRAGMENT_BIT);
     const VkDescriptorSetLayoutBinding bindings[] = {
         {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
-        {motionBinding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
+        {motionBinding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
+        environment[0],
+        environment[1]};
     VkDescriptorSetLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     info.bindingCount = uint32_t(std::size(bindings));
@@ -29,15 +35,17 @@ DescriptorSetLayout makeCameraLayout(const Device& device) {
 } // namespace
 
 VulkanRenderer::VulkanRenderer(const RendererOptions& options)
-    : device_(options), sdk_(device_, options, agaaSetIndex), arena_(device_), cameraLayout_(makeCameraLayout(device_)),
-      pipelines_(device_, cameraLayout_.get()), shadowMaps_(device_, options.shadowMapSize) {
+    : device_(options), environmentLayout_(makeEnvironmentLayout(device_)), sdk_(device_, options, agaaSetIndex),
+      arena_(device_), cameraLayout_(makeCameraLayout(device_)), pipelines_(device_, cameraLayout_.get()),
+      shadowMaps_(device_, options.shadowMapSize) {
     createCameraSet();
 }
 
 void VulkanRenderer::createCameraSet() {
     cameraConstants_ = arena_.hostBuffer(sizeof(CameraConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-                                          {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1}};
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
+                                          {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1},
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1}};
     cameraSet_ = DescriptorSet(device_.get(), cameraLayout_.get(), sizes);
     const VkDescriptorBufferInfo buffer{cameraConstants_.buffer.get(), 0, sizeof(CameraConstants)};
     VkWriteDescriptorSet write{};
@@ -65,6 +73,25 @@ const AgaaFetchFunction* VulkanRenderer::fetchFunction(bool coversByEdges) {
     if (!fetch_)
         fetch_.emplace(device_, scene(), *gpuScene_);
     return &fetch_->function();
+}
+
+EnvironmentBindings VulkanRenderer::useEnvironment(const std::shared_ptr<const Environment>& environment,
+                                                   bool inDraws) {
+    if (environmentSource_ != environment) {
+        environment_.reset();
+        environment_.emplace(device_, environmentLayout_.get(), *environment);
+        environmentSource_ = environment;
+        environment_->write(cameraSet_.get(), cameraEnvironmentBinding);
+    }
+    if (fetch_) // functions of a view share a set, so that views use this one whether they fetch or not
+        environment_->write(fetch_->set(), environmentBinding);
+    const std::string set = "set = " + std::to_string(inDraws ? cameraSetIndex : functionSetIndex) + ", binding = ";
+    const uint32_t first = inDraws ? cameraEnvironmentBinding : environmentBinding;
+    EnvironmentBindings bindings{set + std::to_string(first), set + std::to_string(first + 1), 0};
+    if (!inDraws)
+        bindings.descriptorSetLayout =
+            fetch_ ? fetch_->function().descriptorSetLayout : (uint64_t)environmentLayout_.get();
+    return bindings;
 }
 
 AgaaView VulkanRenderer::useView(const AgaaViewDesc& desc) {
@@ -138,6 +165,8 @@ void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer comman
         vkFrame.outputLayoutOut = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     if (fetch_)
         vkFrame.functionSet = (uint64_t)fetch_->set();
+    else if (environment_)
+        vkFrame.functionSet = (uint64_t)environment_->set();
     if (settings.background.a == 0) {
         output_->recordClear(commands, glm::vec3(settings.background));
         vkFrame.outputLayoutIn = VK_IMAGE_LAYOUT_GENERAL;

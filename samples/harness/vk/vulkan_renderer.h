@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/host_renderer.h"
+#include "vk/gpu_environment.h"
 #include "vk/gpu_fetch.h"
 #include "vk/gpu_motion.h"
 #include "vk/gpu_strips.h"
@@ -29,6 +30,7 @@ private:
     ClipY clipY() const override { return ClipY::Down; }
     void upload() override;
     const AgaaFetchFunction* fetchFunction(bool coversByEdges) override;
+    EnvironmentBindings useEnvironment(const std::shared_ptr<const Environment>& environment, bool inDraws) override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
     void setCamera(const FrameInput& input) override;
@@ -42,6 +44,7 @@ private:
     void recordFrame(const FrameInput& input, VkCommandBuffer commands);
 
     vk::Device device_;
+    vk::DescriptorSetLayout environmentLayout_; // outlives the views
     vk::SdkContext sdk_;
     vk::Arena arena_;
     vk::BufferResource cameraConstants_;
@@ -54,7 +57,9 @@ private:
     std::optional<vk::Layers> layers_;
     std::optional<vk::GpuScene> gpuScene_;
     std::optional<vk::GpuMotion> motion_;
-    std::optional<vk::GpuFetch> fetch_;   // set if a view fetches materials by id
+    std::optional<vk::GpuFetch> fetch_;                    // set if a view fetches materials by id
+    std::shared_ptr<const Environment> environmentSource_; // of environment_
+    std::optional<vk::GpuEnvironment> environment_;
     std::optional<vk::GpuStrips> strips_; // set if a pass pulls vertices
     const vk::VkSdkView* view_ = nullptr; // view in use
 };
