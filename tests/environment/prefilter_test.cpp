@@ -145,16 +145,17 @@ TEST(Prefilter, ABrightSpotKeepsItsEnergy) {
         const SphereImage sphere = sphereOf(spotImage(testWidth, 77, y));
         const glm::dvec3 mean = meanOver(sphere);
         const std::vector<RadianceLevel> levels = makeRadianceLevels(sphere, testWidth);
-        for (size_t i = 0; i < 6; ++i) { // level 6 has 4 x 2 texels here
+        for (size_t i = 0; i < 5; ++i) { // level 5 has 8 x 4 texels here, too few for a mean
             const double ratio = meanOver(levels[i]).x / mean.x;
-            EXPECT_NEAR(ratio, 1, 0.05) << "level " << i << ", row " << y;
+            EXPECT_NEAR(ratio, 1, i == 0 ? 0.05 : 0.02) << "level " << i << ", row " << y;
         }
         const Irradiance irradiance = makeIrradiance(sphere);
         glm::dvec3 sum(0);
         for (uint32_t row = 0; row < sphere.height; ++row)
             for (uint32_t x = 0; x < sphere.width; ++x)
                 sum += sphere.solidAngle(row) * glm::dvec3(irradianceAt(irradiance, sphere.directionOf(x, row)));
-        EXPECT_NEAR(sum.x / (4 * pi) / mean.x, 1, 0.05) << "row " << y;
+        // Nine coefficients are negative opposite a spot. What counts as 0 there adds 3 %.
+        EXPECT_NEAR(sum.x / (4 * pi) / mean.x, 1.03, 0.005) << "row " << y;
     }
 }
 

@@ -20,13 +20,13 @@ std::vector<MipLevel> bytesOf(const std::vector<HalfLevel>& levels) {
 
 } // namespace
 
-std::array<VkDescriptorSetLayoutBinding, 2> environmentLayoutBindings(uint32_t first, VkShaderStageFlags stages) {
-    return {{{first, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, stages, nullptr},
-             {first + 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, stages, nullptr}}};
+std::array<VkDescriptorSetLayoutBinding, 2> environmentLayoutBindings(VkShaderStageFlags stages) {
+    return {{{environmentBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, stages, nullptr},
+             {environmentBinding + 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, stages, nullptr}}};
 }
 
 DescriptorSetLayout makeEnvironmentLayout(const Device& device) {
-    const auto bindings = environmentLayoutBindings(environmentBinding, VK_SHADER_STAGE_COMPUTE_BIT);
+    const auto bindings = environmentLayoutBindings(VK_SHADER_STAGE_COMPUTE_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
     VkDescriptorSetLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     info.bindingCount = uint32_t(bindings.size());
@@ -45,10 +45,10 @@ GpuEnvironment::GpuEnvironment(const Device& device, VkDescriptorSetLayout layou
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1},
                                           {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1}};
     set_ = DescriptorSet(device.get(), layout, sizes);
-    write(set_.get(), environmentBinding);
+    write(set_.get());
 }
 
-void GpuEnvironment::write(VkDescriptorSet set, uint32_t first) const {
+void GpuEnvironment::write(VkDescriptorSet set) const {
     const VkDescriptorImageInfo map{sampler_.get(), map_.view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     const VkDescriptorBufferInfo constants{constants_.buffer.get(), 0, VK_WHOLE_SIZE};
     VkWriteDescriptorSet writes[2]{};
@@ -57,10 +57,10 @@ void GpuEnvironment::write(VkDescriptorSet set, uint32_t first) const {
         write.dstSet = set;
         write.descriptorCount = 1;
     }
-    writes[0].dstBinding = first;
+    writes[0].dstBinding = environmentBinding;
     writes[0].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     writes[0].pImageInfo = &map;
-    writes[1].dstBinding = first + 1;
+    writes[1].dstBinding = environmentBinding + 1;
     writes[1].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     writes[1].pBufferInfo = &constants;
     vkUpdateDescriptorSets(device_->get(), 2, writes, 0, nullptr);

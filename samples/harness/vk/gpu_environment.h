@@ -7,12 +7,11 @@
 
 namespace harness::vk {
 
-// Bindings in the set of the functions, after those of GpuFetch: the map, then the constants.
+// The map, then the constants, after the bindings of GpuFetch.
 constexpr uint32_t environmentBinding = 9;
 
-// Returns the two bindings of the environment, from `first` on.
-std::array<VkDescriptorSetLayoutBinding, 2> environmentLayoutBindings(uint32_t first, VkShaderStageFlags stages);
-// Returns the layout of a set for views whose functions read nothing else.
+std::array<VkDescriptorSetLayoutBinding, 2> environmentLayoutBindings(VkShaderStageFlags stages);
+// Returns the layout of a set with these bindings alone: for views whose functions read nothing else, and for draws.
 DescriptorSetLayout makeEnvironmentLayout(const Device& device);
 
 class GpuEnvironment {
@@ -22,8 +21,8 @@ public:
     GpuEnvironment& operator=(const GpuEnvironment&) = delete;
 
     VkDescriptorSet set() const { return set_.get(); }
-    // Writes the bindings `first` and `first` + 1. No command that uses the set may be pending.
-    void write(VkDescriptorSet set, uint32_t first) const;
+    // Writes the bindings of a set that has others too. No command that uses the set may be pending.
+    void write(VkDescriptorSet set) const;
 
 private:
     const Device* device_;

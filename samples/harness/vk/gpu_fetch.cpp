@@ -77,10 +77,9 @@ void GpuFetch::createSet() {
     std::array<VkDescriptorSetLayoutBinding, BindingCount + 2> bindings{};
     for (uint32_t i = 0; i < BindingCount; ++i)
         bindings[i] = {i, type(i), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-    // Functions of one view share a set. Without an environment, no shader uses these bindings.
+    // Functions of one view share a set.
     static_assert(environmentBinding == BindingCount);
-    std::ranges::copy(environmentLayoutBindings(environmentBinding, VK_SHADER_STAGE_COMPUTE_BIT),
-                      bindings.begin() + BindingCount);
+    std::ranges::copy(environmentLayoutBindings(VK_SHADER_STAGE_COMPUTE_BIT), bindings.begin() + BindingCount);
     VkDescriptorSetLayoutCreateInfo layout{};
     layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     layout.bindingCount = uint32_t(bindings.size());
@@ -97,20 +96,22 @@ void GpuFetch::createSet() {
     for (size_t i = 0; i < std::size(images); ++i)
         images[i] = {sampler_.get(), textures_[i].view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     const VkBufferView views[] = {drawTexels_.get(), materialTexels_.get(), vertexTexels_.get(), indexTexels_.get()};
-    std::array<VkWriteDescriptorSet, BindingCount> writes{};
-    for (uint32_t i = 0; i < BindingCount; ++i) {
+    std::array<VkWriteDescriptorSet, BindingCount + 2> writes{};
+    for (uint32_t i = 0; i < writes.size(); ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
         writes[i].dstSet = set_.get();
         writes[i].dstBinding = i;
         writes[i].descriptorCount = 1;
-        writes[i].descriptorType = type(i);
+        writes[i].descriptorType = bindings[i].descriptorType;
         writes[i].pBufferInfo = &camera; // Vulkan ignores members that the type does not use
         if (isTexels(i))
             writes[i].pTexelBufferView = &views[i - DrawBinding];
+        else if (i >= environmentBinding) // any resource: lavapipe (Mesa 22.3) reads bindings that shaders do not use
+            writes[i].pImageInfo = &images[0];
         else if (i != CameraBinding)
             writes[i].pImageInfo = &images[i < DrawBinding ? i - ColorBinding : 2 + i - SmallColorBinding];
     }
-    vkUpdateDescriptorSets(device_->get(), BindingCount, writes.data(), 0, nullptr);
+    vkUpdateDescriptorSets(device_->get(), uint32_t(writes.size()), writes.data(), 0, nullptr);
 }
 
 void GpuFetch::update(const Scene& scene, const std::vector<Draw>& draws, const FetchCamera& camera) {

@@ -33,12 +33,12 @@ PassPipelines::PassPipelines(const Device& device, VkDescriptorSetLayout cameraL
     : device_(&device), cameraLayout_(cameraLayout) {}
 
 void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws,
-                            VkDescriptorSetLayout materialLayout, VkDescriptorSetLayout stripLayout) {
+                            VkDescriptorSetLayout materialLayout, VkDescriptorSetLayout lastLayout) {
     Program& program = programs_[pass.pipelineKey];
     const std::string text = std::string(pass.glslExtensions) + pass.glslDeclarations;
     if (!program.layout) {
         program.text = text;
-        program.layout = makeLayout(pass, materialLayout, stripLayout);
+        program.layout = makeLayout(pass, materialLayout, lastLayout);
         ShaderModule& vertex = pass.glslVertex ? program.pulling : vertices_[size_t(cornerOutputs(pass))];
         if (pass.glslVertex) {
             vertex = makeShader(*device_, ShaderStage::Vertex, pullingText(pass), "corners.vert");
@@ -68,16 +68,17 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
 }
 
 PipelineLayout PassPipelines::makeLayout(const DrawPass<AgaaVkDrawPass>& pass, VkDescriptorSetLayout materials,
-                                         VkDescriptorSetLayout strips) const {
+                                         VkDescriptorSetLayout last) const {
     std::array<VkDescriptorSetLayout, 4> sets{};
     sets[cameraSetIndex] = cameraLayout_;
     sets[agaaSetIndex] = (VkDescriptorSetLayout)pass.native.descriptorSetLayout;
     sets[materialSetIndex] = materials;
-    sets[stripSetIndex] = strips;
+    static_assert(stripSetIndex == environmentSetIndex);
+    sets[stripSetIndex] = last;
     const VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(DrawConstants)};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    info.setLayoutCount = pass.state.vertexPulling ? uint32_t(sets.size()) : stripSetIndex;
+    info.setLayoutCount = uint32_t(sets.size());
     info.pSetLayouts = sets.data();
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &constants;

@@ -15,16 +15,17 @@ namespace harness::vk {
 constexpr uint32_t cameraSetIndex = 0;
 constexpr uint32_t agaaSetIndex = 1;
 constexpr uint32_t materialSetIndex = 2;
-constexpr uint32_t stripSetIndex = 3; // set of passes that pull vertices
+constexpr uint32_t stripSetIndex = 3;       // of passes that pull vertices
+constexpr uint32_t environmentSetIndex = 3; // of other passes; only those that shade read it
 
 class PassPipelines {
 public:
     PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout);
 
     // Creates the missing pipelines for the draws. Must run before recording, because pipelines take time to compile.
-    // stripLayout may be null if no pass pulls vertices.
+    // lastLayout   Of the set stripSetIndex or environmentSetIndex.
     void prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws,
-                 VkDescriptorSetLayout materialLayout, VkDescriptorSetLayout stripLayout);
+                 VkDescriptorSetLayout materialLayout, VkDescriptorSetLayout lastLayout);
     // Both functions throw std::runtime_error if prepare() was not called for the pass.
     VkPipelineLayout layout(uint64_t pipelineKey) const;
     VkPipeline pipeline(uint64_t pipelineKey, const Variant& variant) const;
@@ -41,7 +42,7 @@ private:
     };
     const Program& program(uint64_t pipelineKey) const;
     PipelineLayout makeLayout(const DrawPass<AgaaVkDrawPass>& pass, VkDescriptorSetLayout materials,
-                              VkDescriptorSetLayout strips) const;
+                              VkDescriptorSetLayout last) const;
     Pipeline makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const Program& program, const Variant& variant) const;
 
     const Device* device_;

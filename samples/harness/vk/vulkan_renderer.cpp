@@ -13,18 +13,13 @@ using namespace vk;
 
 namespace {
 
-// Bindings of the camera's set.
-constexpr uint32_t motionBinding = 1;            // MOTION_AT of shaders/interface.glsl
-constexpr uint32_t functionSetIndex = 1;         // of the SDK's compute passes
-constexpr uint32_t cameraEnvironmentBinding = 2; // of views that shade in the engine's fragment shaders
+constexpr uint32_t motionBinding = 1;    // MOTION_AT of shaders/interface.glsl
+constexpr uint32_t functionSetIndex = 1; // of the SDK's compute passes
 
 DescriptorSetLayout makeCameraLayout(const Device& device) {
-    const auto environment = environmentLayoutBindings(cameraEnvironmentBinding, VK_SHADER_STAGE_FRAGMENT_BIT);
     const VkDescriptorSetLayoutBinding bindings[] = {
         {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
-        {motionBinding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
-        environment[0],
-        environment[1]};
+        {motionBinding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
     VkDescriptorSetLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     info.bindingCount = uint32_t(std::size(bindings));
@@ -43,9 +38,8 @@ VulkanRenderer::VulkanRenderer(const RendererOptions& options)
 
 void VulkanRenderer::createCameraSet() {
     cameraConstants_ = arena_.hostBuffer(sizeof(CameraConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
-                                          {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1}};
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+                                          {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1}};
     cameraSet_ = DescriptorSet(device_.get(), cameraLayout_.get(), sizes);
     const VkDescriptorBufferInfo buffer{cameraConstants_.buffer.get(), 0, sizeof(CameraConstants)};
     VkWriteDescriptorSet write{};
@@ -81,13 +75,13 @@ EnvironmentBindings VulkanRenderer::useEnvironment(const std::shared_ptr<const E
         environment_.reset();
         environment_.emplace(device_, environmentLayout_.get(), *environment);
         environmentSource_ = environment;
-        environment_->write(cameraSet_.get(), cameraEnvironmentBinding);
     }
     if (fetch_) // functions of a view share a set, so that views use this one whether they fetch or not
-        environment_->write(fetch_->set(), environmentBinding);
-    const std::string set = "set = " + std::to_string(inDraws ? cameraSetIndex : functionSetIndex) + ", binding = ";
-    const uint32_t first = inDraws ? cameraEnvironmentBinding : environmentBinding;
-    EnvironmentBindings bindings{set + std::to_string(first), set + std::to_string(first + 1), 0};
+        environment_->write(fetch_->set());
+    const std::string set =
+        "set = " + std::to_string(inDraws ? environmentSetIndex : functionSetIndex) + ", binding = ";
+    EnvironmentBindings bindings{set + std::to_string(environmentBinding), set + std::to_string(environmentBinding + 1),
+                                 0};
     if (!inDraws)
         bindings.descriptorSetLayout =
             fetch_ ? fetch_->function().descriptorSetLayout : (uint64_t)environmentLayout_.get();
@@ -117,7 +111,7 @@ void VulkanRenderer::prepare(const FrameInput& input) {
         if (pass.state.vertexPulling && !strips_)
             strips_.emplace(device_, scene(), *gpuScene_);
         pipelines_.prepare(pass, scene(), input.draws, gpuScene_->materialLayout(),
-                           strips_ ? strips_->layout() : VK_NULL_HANDLE);
+                           pass.state.vertexPulling ? strips_->layout() : environmentLayout_.get());
     }
 }
 
@@ -198,6 +192,12 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
     static_assert(cameraSetIndex + 1 == agaaSetIndex);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, cameraSetIndex, uint32_t(sets.size()),
                             sets.data(), 0, nullptr);
+
+    if (environment_ && !target.state.vertexPulling) {
+        const VkDescriptorSet environment = environment_->set();
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, environmentSetIndex, 1, &environment,
+                                0, nullptr);
+    }
 
     VkPipeline bound = VK_NULL_HANDLE;
     VkDescriptorSet boundMaterial = VK_NULL_HANDLE;
