@@ -60,15 +60,19 @@ static AgaaLayout withMotion(const AgaaLayout* own) {
     return withAttribute(own, velocity, "motion vectors");
 }
 
-// The code of the attribute is the class.
 static AgaaLayout withClass(const AgaaLayout* own) {
     AgaaLayoutAttribute materialClass = AGAA_LAYOUT_ATTRIBUTE_INIT;
     materialClass.semantic = AGAA_SEMANTIC_CUSTOM;
     materialClass.channels = 1;
     materialClass.sampleBits = 8;
-    materialClass.range = 255;
+    materialClass.range = 255;               // a class is a code of 8 bits, or 1/257 of one of 16
     materialClass.filter = AGAA_FILTER_NONE; // a mean of classes is none
     materialClass.name = classAttribute;
+    // Layouts with wide channels have room for one more of them, but not for a fifth attachment.
+    const AgaaLayout narrow = withAttribute(own, materialClass, "classes of materials");
+    for (uint32_t i = 0; i + 1 < narrow.attributeCount; ++i)
+        if (narrow.attributes[i].sampleBits == 16)
+            materialClass.sampleBits = 16;
     return withAttribute(own, materialClass, "classes of materials");
 }
 
