@@ -66,6 +66,16 @@ vec3 environmentLight(AgaaSurface surface, vec3 toEye) {
     return sum;
 }
 
+// The light of the frame that the library's model reflects. With elliptic lobes (AGAA_NDF_LEAN, AGAA_NDF_SGGX),
+// agaaBuiltInReflect() reads the axis of round ones, too: any vector that is perpendicular to the normal will do.
+vec3 reflectedLight(AgaaSurface surface, AgaaIncidentLight light, vec3 toEye) {
+    if (surface.axis == vec3(0.0)) {
+        vec3 n = surface.normal;
+        surface.axis = normalize(abs(n.x) < 0.5 ? vec3(0.0, -n.z, n.y) : vec3(n.y, -n.x, 0.0));
+    }
+    return agaaBuiltInReflect(surface, light.toLight, toEye) * light.radiance;
+}
+
 // Classes of materials, which are custom attributes of the layout. Class 1 has a clear coat over class 0, as
 // KHR_materials_clearcoat has it at full strength.
 #ifdef MATERIAL_CLASSES
@@ -112,10 +122,10 @@ vec3 agaaShade(AgaaSurface surface) {
         if (light.radiance == vec3(0.0))
             continue;
         AgaaSurface lit = agaaLitPart(surface, light);
-        base += agaaBuiltInReflect(lit, light.toLight, toEye) * light.radiance;
+        base += reflectedLight(lit, light, toEye);
 #ifdef MATERIAL_CLASSES
         if (isCoated)
-            coat += agaaBuiltInReflect(coatOf(lit), light.toLight, toEye) * light.radiance;
+            coat += reflectedLight(coatOf(lit), light, toEye);
 #endif
     }
 #ifdef MATERIAL_CLASSES
