@@ -1,6 +1,9 @@
 """Rendering from the command line: fields, consistent counters, files, repeatable bits."""
+import base64
 import functools
+import json
 import os
+import struct
 import tempfile
 import unittest
 
@@ -14,6 +17,38 @@ FIELDS = ["frameMs", "recordMs", "passes", "shadingEventsPerPixel", "geometryPas
 def options(technique):
     """Of the command line; dcaa counts coverage samples."""
     return ["--technique", technique] + (["--samples", "64", "--aggregates", "4"] if technique == "dcaa" else [])
+
+
+def write_radiance(path, width, height, exponent=129):
+    """Writes a Radiance file of constant light: 1 times a power of two."""
+    with open(path, "wb") as file:
+        file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + f"-Y {height} +X {width}\n".encode())
+        file.write(bytes((128, 128, 128, exponent)) * (width * height))
+
+
+def write_room(path, **material):
+    """Writes a glTF file of a cube around the origin, with one material and one light without intensity."""
+    corners = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    indices = [side[i] for side in sides for i in (0, 1, 2, 0, 2, 3)]
+    data = b"".join(struct.pack("<3f", *c) for c in corners) + struct.pack("<36H", *indices)
+    light = {"type": "directional", "intensity": 0}
+    scene = {
+        "asset": {"version": "2.0"},
+        "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_clearcoat"],
+        "extensions": {"KHR_lights_punctual": {"lights": [light]}},
+        "scenes": [{"nodes": [0, 1]}],
+        "nodes": [{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+        "materials": [{"name": "wall", "doubleSided": True, **material}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [-1] * 3, "max": [1] * 3},
+            {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 72}],
+        "buffers": [{"byteLength": len(data),
+                     "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}
+    with open(path, "w") as file:
+        json.dump(scene, file)
 
 
 def on(backend):
@@ -259,6 +294,93 @@ class Render(unittest.TestCase):
         self.assertEqual(data["apiMessages"], [])
         self.assertGreater(harness.data("compare", self.path("plain.exr"), self.path("layers.exr"))["maxAbs"], 0.05)
 
+    def test_white_furnace(self):
+        """In light of 1 from everywhere a white surface has the radiance 1, as one that emits 1 and reflects nothing.
+        Metal comes near if it is smooth. Aggregates over an edge of the room are rough."""
+        light, room, image, white = map(self.path, ("light.hdr", "room.gltf", "image.exr", "white.exr"))
+        write_radiance(light, 16, 8)
+        black = {"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1], "metallicFactor": 0}}
+        inside = ["--camera=0,0,0,0.3,0.2,-1,80", "--environment", light, "--no-counters"]
+        write_room(room, emissiveFactor=[1, 1, 1], **black)
+        self.render(*inside, "--without", "specular", "--exr", white, scene=room, size="48x27")
+        coat = {"extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 1}}}
+        rows = [({"metallicFactor": 0}, {}, ["--without", "specular"], 1e-3),
+                ({"metallicFactor": 1, "roughnessFactor": 0.1}, {}, [], 0.01),
+                ({"metallicFactor": 1, "roughnessFactor": 0.1}, coat, [], 0.05)]
+        for technique in self.shared((["--technique", "ssaa"], ["--technique", "msaa"], ["--technique", "agaa"],
+                                      ["--preset", "accurate"])):
+            for values, extensions, options, bound in rows:
+                with self.subTest(technique=technique, values=values, extensions=extensions):
+                    write_room(room, pbrMetallicRoughness=values, **extensions)
+                    data = self.render(*inside, *technique, *options, "--exr", image, scene=room, size="48x27")
+                    self.assertEqual(data["apiMessages"], [])
+                    difference = harness.data("compare", white, image)
+                    self.assertLess(difference["maxAbs" if technique[1] != "agaa" else "meanAbsTm"], bound)
+
+    def test_environment_lights_every_technique(self):
+        light = self.path("light.hdr")
+        write_radiance(light, 64, 32, exponent=130)
+        self.render("--technique", "ssaa", "--exr", self.path("ambient.exr"), size="48x27")
+        lit = ["--environment", light, "--clear-coat", "chrome,brass"]
+        data = self.render("--technique", "ssaa", *lit, "--exr", self.path("ssaa.exr"), size="48x27")
+        self.assertEqual(data["environment"]["size"], "64x32")
+        self.assertEqual(data["environment"]["replacedValues"], 0)
+        self.assertGreater(data["environment"]["bytes"], 5000000)
+        self.assertGreater(data["environment"]["milliseconds"], 0)
+        differences = harness.data("compare", self.path("ambient.exr"), self.path("ssaa.exr"))
+        self.assertGreater(differences["meanAbsTm"], 0.01)
+        for technique in self.shared(("single", "msaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")):
+            with self.subTest(technique=technique):
+                image = self.path("image.exr")
+                data = self.render(*options(technique), *lit, "--exr", image, size="48x27")
+                self.assertEqual(data["apiMessages"], [])
+                self.assertEqual(data["counters"]["sanitised"], 0)
+                near = harness.data("compare", self.path("ssaa.exr"), image)
+                self.assertLess(near["meanAbsTm"], 0.5 * differences["meanAbsTm"])
+
+    @on("vk")
+    def test_clear_coats_are_of_their_materials(self):
+        light = self.path("light.hdr")
+        write_radiance(light, 16, 8)
+        images = {}
+        for names in ("", "chrome", "chrome,brass"):
+            images[names] = self.path(names + ".exr")
+            coat = ["--clear-coat", names] if names else []
+            self.render("--technique", "ssaa", "--environment", light, *coat, "--exr", images[names], size="48x27")
+        one = harness.data("compare", images[""], images["chrome"])
+        both = harness.data("compare", images[""], images["chrome,brass"])
+        self.assertGreater(one["meanAbsTm"], 0)
+        self.assertGreater(both["meanAbsTm"], one["meanAbsTm"])
+        for arguments in (["--clear-coat", "chrome"], ["--environment", light, "--clear-coat", "gold"],
+                          ["--environment", light, "--shading-function", light]):
+            refused = harness.run("render", "--scene", "metal", *arguments)
+            self.assertEqual(refused.returncode, 2)
+            self.assertEqual(len(refused.stderr.strip().splitlines()), 1)
+        self.assertIn("chrome", harness.run("render", "--scene", "metal", "--environment", light, "--clear-coat",
+                                            "gold").stderr)
+
+    @on("vk")
+    def test_environments_that_are_none(self):
+        def refusal(name):
+            result = harness.run("render", "--scene", "metal", "--environment", self.path(name))
+            self.assertEqual(result.returncode, 1, name)
+            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+            self.assertIn(name, result.stderr)
+            return result.stderr
+
+        for name in ("missing.hdr", "missing.exr", "picture.png"):
+            refusal(name)
+        for name in ("text.hdr", "text.exr"):
+            with open(self.path(name), "w") as file:
+                file.write("not an image\n")
+            refusal(name)
+        for width, height in ((16, 16), (17, 8), (8, 16)):
+            write_radiance(self.path("odd.hdr"), width, height)
+            self.assertIn(f"{width}x{height}", refusal("odd.hdr"))
+        write_radiance(self.path("short.hdr"), 64, 32)
+        os.truncate(self.path("short.hdr"), 4000)
+        refusal("short.hdr")
+
     def test_presets(self):
         expected = {"paper": (None, 2), "fast": ("ids", 1), "balanced": ("ids", 4), "accurate": ("ids", 4)}
         for preset, (tier, aggregates) in self.shared(expected.items()):
@@ -409,7 +531,9 @@ class RenderOnOpenGl(Render):
     share = 1
 
     def test_both_backends_agree(self):
-        for layers in ([], ["--layers"]):
+        light = self.path("light.hdr")
+        write_radiance(light, 16, 8)
+        for layers in ([], ["--layers"], ["--environment", light, "--clear-coat", "chrome"]):
             for backend in ("gl", "vk"):
                 self.backend = backend
                 self.render(*layers, "--exr", self.path(backend + ".exr"))

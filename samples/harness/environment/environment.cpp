@@ -52,6 +52,9 @@ Environment makeEnvironment(const Image& image) {
     const Irradiance irradiance = makeIrradiance(sphere);
     for (size_t i = 0; i < irradiance.size(); ++i)
         environment.constants.irradiance[i] = glm::vec4(irradiance[i], 0);
+    const std::vector<glm::vec2> table = makeReflectanceTable();
+    for (size_t i = 0; i < table.size(); i += 2)
+        environment.constants.reflectance[i / 2] = glm::vec4(table[i], table[i + 1]);
     for (const RadianceLevel& level : makeRadianceLevels(sphere))
         environment.levels.push_back(toHalf(level));
     return environment;

@@ -3,6 +3,7 @@
 
 #include "environment/irradiance.h"
 #include "environment/radiance_levels.h"
+#include "environment/reflectance_table.h"
 
 #include <filesystem>
 
@@ -17,7 +18,8 @@ struct HalfLevel {
 
 // Matches the block EnvironmentLight of shaders/environment.glsl (std140).
 struct EnvironmentConstants {
-    glm::vec4 irradiance[9]; // Irradiance
+    glm::vec4 irradiance[9];                                        // Irradiance
+    glm::vec4 reflectance[reflectanceSteps * reflectanceSteps / 2]; // makeReflectanceTable(), two entries each
 };
 
 struct Environment {

@@ -1,5 +1,7 @@
 #include "environment/radiance_levels.h"
 
+#include "environment/hammersley.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -21,21 +23,14 @@ struct LobeSample {
     double solidAngle;
 };
 
-float radicalInverse(uint32_t i) {
-    float result = 0, digit = 0.5f;
-    for (; i; i >>= 1, digit *= 0.5f)
-        result += i & 1 ? digit : 0;
-    return result;
-}
-
 // All texels use the same Hammersley points, so that neighbours have the same error and the result is repeatable.
 std::vector<LobeSample> lobeSamples(double alpha, uint32_t count) {
     std::vector<LobeSample> samples;
     const double a2 = alpha * alpha;
     for (uint32_t i = 0; i < count; ++i) {
-        const double share = (i + 0.5) / count;
-        const double angle = 2 * pi * double(radicalInverse(i));
-        const double c2 = (1 - share) / (1 + (a2 - 1) * share); // squared cosine of the half vector
+        const glm::dvec2 point = hammersley(i, count);
+        const double angle = 2 * pi * point.y;
+        const double c2 = (1 - point.x) / (1 + (a2 - 1) * point.x); // squared cosine of the half vector
         const double z = 2 * c2 - 1;
         if (z <= 0)
             continue;

@@ -29,9 +29,9 @@ struct SphereImage {
 // Returns the unit vector at a longitude and a colatitude, which is 0 at the upper pole.
 glm::dvec3 sphereDirection(double longitude, double colatitude);
 
-// Returns the image between 128 and maxWidth wide. Its width is a power of two; texels are means over solid angle. Values that
-// are not finite, or below 0, count as 0. Those above 1e9 are clamped, so that no sum overflows. `replaced` receives
-// the number of such values.
+// Returns the image between 128 and maxWidth wide. Its width is a power of two; texels are means over solid angle.
+// Values that are not finite, or below 0, count as 0. Those above 1e9 are clamped, so that no sum overflows. `replaced`
+// receives the number of such values.
 SphereImage makeSphereImage(const Image& image, uint32_t maxWidth, uint64_t& replaced);
 
 // Returns the image at half the size. The width must be at least 4.
