@@ -19,11 +19,13 @@ def options(technique):
     return ["--technique", technique] + (["--samples", "64", "--aggregates", "4"] if technique == "dcaa" else [])
 
 
-def write_radiance(path, width, height, exponent=129):
-    """Writes a Radiance file of constant light: 1 times a power of two."""
+def write_radiance(path, width, height, exponent=129, is_lit=lambda x, y: True):
+    """Writes a Radiance file of light of 1, times a power of two, or of none."""
     with open(path, "wb") as file:
         file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + f"-Y {height} +X {width}\n".encode())
-        file.write(bytes((128, 128, 128, exponent)) * (width * height))
+        for y in range(height):
+            for x in range(width):
+                file.write(bytes((128, 128, 128, exponent) if is_lit(x, y) else (0, 0, 0, 0)))
 
 
 def write_room(path, **material):
@@ -316,6 +318,26 @@ class Render(unittest.TestCase):
                     self.assertEqual(data["apiMessages"], [])
                     difference = harness.data("compare", white, image)
                     self.assertLess(difference["maxAbs" if technique[1] != "agaa" else "meanAbsTm"], bound)
+
+    def test_environments_light_surfaces_that_face_them(self):
+        """The walls of a room, seen from inside, in light from above and from +x."""
+        light, room = self.path("light.hdr"), self.path("room.gltf")
+        write_room(room, pbrMetallicRoughness={"metallicFactor": 0})
+
+        def brightness(sight):
+            image, black = self.path("image.exr"), self.path("black.exr")
+            view = ["--technique", "ssaa", "--without", "specular", f"--camera=0,0,0,{sight},20", "--no-counters"]
+            self.render(*view, "--environment", light, "--exr", image, scene=room, size="8x8")
+            write_radiance(self.path("dark.hdr"), 16, 8, is_lit=lambda x, y: False)
+            self.render(*view, "--environment", self.path("dark.hdr"), "--exr", black, scene=room, size="8x8")
+            return harness.data("compare", black, image)["maxAbs"]
+
+        rows = [(lambda x, y: y < 16, "0,-1,0.001", "0,1,0.001"), (lambda x, y: x >= 32, "-1,0,0", "1,0,0"),
+                (lambda x, y: 16 <= x < 48, "0,0,1", "0,0,-1")]
+        for is_lit, lit, dark in rows:
+            write_radiance(light, 64, 32, is_lit=is_lit)
+            self.assertAlmostEqual(brightness(lit), 1, delta=0.02)
+            self.assertLess(brightness(dark), 0.02)
 
     def test_environment_lights_every_technique(self):
         light = self.path("light.hdr")

@@ -17,7 +17,7 @@ struct Image {
 
 // All functions throw std::runtime_error with one sentence that names the file.
 Image readExr(const std::filesystem::path& path);
-Image readHdr(const std::filesystem::path& path); // Radiance
+Image readHdr(const std::filesystem::path& path);                     // Radiance
 void writeExr(const std::filesystem::path& path, const Image& image); // 32-bit float, ZIP
 // Writes the tone-mapped image: x/(1+x), then ^(1/2.2), 8 bits. The metric mseTm uses the same mapping.
 void writePng(const std::filesystem::path& path, const Image& image);

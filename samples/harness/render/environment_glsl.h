@@ -12,7 +12,7 @@ inline constexpr const char* classAttribute = "materialClass";
 // Precedes the texts of views whose layout has the attribute.
 inline constexpr const char* classDefine = "#define MATERIAL_CLASSES 1\n";
 
-// Where a graphics API binds the environment.
+// The places where a graphics API binds the environment.
 struct EnvironmentBindings {
     std::string map, light;           // layout qualifiers
     uint64_t descriptorSetLayout = 0; // AgaaShadingFunction::descriptorSetLayout

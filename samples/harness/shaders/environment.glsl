@@ -13,10 +13,10 @@ layout(std140, ENVIRONMENT_LIGHT_AT) uniform EnvironmentLight {
 const float environmentPi = 3.14159265;
 
 // Returns the mean of irradiance / pi over the normals of an event, which is the radiance of a white diffuse surface.
-// Irradiance is a sum of spherical harmonics of the normal. Their mean is exact without a further lookup for bands 0
-// and 1: the linear terms of the mean normal, whose length is normalLength, are the mean of the linear terms. In band 2,
-// the mean of a narrow round distribution is that of its middle times the cube of the length: band l shrinks by
-// exp(-l(l+1) v / 2) for the variance v, band 1 by the length exp(-v).
+// Irradiance is a sum of spherical harmonics of the normal. The mean of band 0 is exact, and so is that of band 1: its
+// terms are linear, so that their mean is the term of the mean normal, whose length is normalLength. Of a narrow round
+// distribution of normals, the mean of band 2 is that of its middle times the cube of the length: with the variance v,
+// band l shrinks by exp(-l(l+1) v / 2), and band 1 is the length.
 vec3 environmentIrradiance(vec3 n, float normalLength) {
     vec4 c[9] = environment.irradiance;
     vec3 band1 = c[1].rgb * n.y + c[2].rgb * n.z + c[3].rgb * n.x;
