@@ -66,16 +66,34 @@ std::vector<FilteredSample> filtered(const std::vector<LobeSample>& samples, con
     return result;
 }
 
-glm::vec3 sampledLobe(const glm::vec3& axis, const glm::vec3& east, const std::vector<FilteredSample>& samples,
-                      const std::vector<SphereImage>& images) {
-    const glm::vec3 north = glm::cross(axis, east);
-    glm::vec3 sum(0);
-    float weights = 0;
+// A sample of the lobes of one row of texels: their samples differ in longitude only.
+struct PlacedSample {
+    glm::vec2 place; // of the lobe at longitude 0
+    float weight;
+    const SphereImage* fine;
+    const SphereImage* coarse;
+    float share;
+};
+
+std::vector<PlacedSample> placed(const std::vector<FilteredSample>& samples, double colatitude,
+                                 const std::vector<SphereImage>& images) {
+    const glm::vec3 axis(sphereDirection(0, colatitude)), east(1, 0, 0), north = glm::cross(axis, east);
+    std::vector<PlacedSample> result;
     for (const FilteredSample& s : samples) {
         const glm::vec3 direction = s.direction.x * east + s.direction.y * north + s.direction.z * axis;
-        glm::vec3 radiance = images[s.fine].lookup(direction);
+        result.push_back({spherePlace(direction), s.weight, &images[s.fine], &images[s.coarse], s.share});
+    }
+    return result;
+}
+
+glm::vec3 sampledLobe(float longitude, const std::vector<PlacedSample>& samples) {
+    glm::vec3 sum(0);
+    float weights = 0;
+    for (const PlacedSample& s : samples) {
+        const glm::vec2 place(s.place.x + longitude, s.place.y);
+        glm::vec3 radiance = s.fine->lookup(place);
         if (s.share > 0)
-            radiance += s.share * (images[s.coarse].lookup(direction) - radiance);
+            radiance += s.share * (s.coarse->lookup(place) - radiance);
         sum += s.weight * radiance;
         weights += s.weight;
     }
@@ -210,25 +228,24 @@ std::vector<RadianceLevel> makeRadianceLevels(const SphereImage& image, uint32_t
         std::vector<FilteredSample> samples;
         if (i > 0 && i < firstSummedLevel)
             samples = filtered(lobeSamples(alpha, i == 1 ? 48 : 96), images);
-        for (uint32_t y = 0; y < level.height; ++y)
+        for (uint32_t y = 0; y < level.height; ++y) {
+            const auto row = placed(samples, pi * y / (level.height - 1.0), images);
             for (uint32_t x = 0; x < level.width; ++x) {
-                const glm::dvec3 direction = level.directionOf(x, y);
-                const glm::vec3 axis(direction);
+                const glm::vec3 axis(level.directionOf(x, y));
                 if (i == 0) {
                     level.texels.push_back(image.lookup(axis));
                     continue;
                 }
-                const double longitude = std::atan2(direction.x, -direction.z);
-                const glm::vec3 east(std::cos(longitude), 0, std::sin(longitude));
                 glm::vec3 radiance(summedLobe(axis, alpha2, bright).radiance / integral);
                 if (i < firstSummedLevel) {
-                    radiance += sampledLobe(axis, east, samples, images);
+                    radiance += sampledLobe((float(x) + 0.5f) / float(level.width) - 0.5f, row);
                 } else {
                     const LobeSum sum = summedLobe(axis, alpha2, others);
                     radiance += glm::vec3(sum.radiance / sum.weight);
                 }
                 level.texels.push_back(radiance);
             }
+        }
         levelPoles(level);
         levels.push_back(std::move(level));
     }

@@ -83,18 +83,21 @@ double SphereImage::solidAngle(uint32_t y) const {
     return 2 * pi / width * (std::cos(pi * y / height) - std::cos(pi * (y + 1.0) / height));
 }
 
-glm::vec3 SphereImage::lookup(const glm::vec3& direction) const {
+glm::vec2 spherePlace(const glm::vec3& direction) {
     constexpr float inverse = std::numbers::inv_pi_v<float>;
-    const float u = 0.5f + 0.5f * inverse * std::atan2(direction.x, -direction.z);
-    const float v = inverse * std::acos(std::clamp(direction.y, -1.0f, 1.0f));
-    const float x = u * float(width) - 0.5f, y = v * float(height) - 0.5f;
+    return {0.5f + 0.5f * inverse * std::atan2(direction.x, -direction.z),
+            inverse * std::acos(std::clamp(direction.y, -1.0f, 1.0f))};
+}
+
+glm::vec3 SphereImage::lookup(const glm::vec2& place) const {
+    const float x = place.x * float(width) - 0.5f, y = place.y * float(height) - 0.5f;
     const int left = int(std::floor(x)), top = int(std::floor(y));
     const float right = x - float(left), lower = y - float(top);
     const auto texel = [this](int column, int row) {
         const bool isAcross = row < 0 || row >= int(height); // beyond a pole lies the opposite meridian
         row = row < 0 ? 0 : std::min(row, int(height) - 1);
         column += isAcross ? int(width / 2) : 0;
-        return at(uint32_t(column + int(width)) % width, uint32_t(row));
+        return at(uint32_t(column + 2 * int(width)) % width, uint32_t(row));
     };
     return (1 - lower) * ((1 - right) * texel(left, top) + right * texel(left + 1, top)) +
            lower * ((1 - right) * texel(left, top + 1) + right * texel(left + 1, top + 1));

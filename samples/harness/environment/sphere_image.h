@@ -11,6 +11,9 @@
 
 namespace harness {
 
+// Returns the place of a unit vector in an image, in [0, 1].
+glm::vec2 spherePlace(const glm::vec3& direction);
+
 struct SphereImage {
     uint32_t width = 0; // twice the height
     uint32_t height = 0;
@@ -23,7 +26,9 @@ struct SphereImage {
     // Returns the solid angle of each texel of a row.
     double solidAngle(uint32_t y) const;
     // Returns the radiance from a unit vector, interpolated across the poles and the back, too.
-    glm::vec3 lookup(const glm::vec3& direction) const;
+    glm::vec3 lookup(const glm::vec3& direction) const { return lookup(spherePlace(direction)); }
+    // The same for a place of the image: x in [-1, 2), which repeats, and y in [0, 1].
+    glm::vec3 lookup(const glm::vec2& place) const;
 };
 
 // Returns the unit vector at a longitude and a colatitude, which is 0 at the upper pole.
