@@ -1,4 +1,4 @@
-// Points that fill the unit square evenly.
+// Points of a sequence that fill the unit square evenly.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint32_t pointCount = 1024;
 
-// The height-correlated Smith term, G / (4 cos cos) (Heitz 2014).
+// Returns the height-correlated Smith term, G / (4 cos cos) (Heitz 2014).
 double smith(double alpha2, double toEye, double toLight) {
     const double maskEye = toLight * std::sqrt(alpha2 + (1 - alpha2) * toEye * toEye);
     const double maskLight = toEye * std::sqrt(alpha2 + (1 - alpha2) * toLight * toLight);

@@ -27,7 +27,7 @@ struct SphereImage {
     double solidAngle(uint32_t y) const;
     // Returns the radiance from a unit vector, interpolated across the poles and the back, too.
     glm::vec3 lookup(const glm::vec3& direction) const { return lookup(spherePlace(direction)); }
-    // The same for a place of the image: x in [-1, 2), which repeats, and y in [0, 1].
+    // Returns the radiance at a place of the image: x in [-1, 2), which repeats, and y in [0, 1].
     glm::vec3 lookup(const glm::vec2& place) const;
 };
 
