@@ -43,7 +43,8 @@ typedef enum AgaaFilter {
     /* 1 channel, the number of a material class: an integer in [0, 255]. aggregateBits is 0 or 8, and range 255; a
      * layout has one at most. "agaa" puts no samples of different classes into one aggregate as long as
      * AgaaConfig::aggregates allows it. Where a pixel has more classes, those with the fewest samples join the most
-     * similar aggregates of others. An aggregate has the class of more than half of its samples, or one of theirs.
+     * similar aggregates of others. An aggregate has the class of more than half of its samples, or one of theirs; with
+     * two geometry passes, it has that of the fragment with the most samples, and of equally many the largest number.
      * AgaaCounters::joinedClasses counts the samples that joined, except with one aggregate. The tier FRAGMENTS gives
      * aggregates to the classes of a pixel's 32 largest fragments. With two geometry passes, the shaders of the
      * visibility pass set the attribute, too (AGAA_NEEDS_MATERIAL is 1). In other techniques, surfaces of several

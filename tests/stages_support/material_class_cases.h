@@ -144,8 +144,12 @@ TYPED_TEST_P(MaterialClassCases, TheSmallestOfTooManyJoins) {
                 if (i % 32 == 4)
                     least = std::min({least, shown.rgb[3 * i], shown.rgb[3 * i + 1]});
             }
-            EXPECT_GT(least, 0.1f); // both large classes show
-            EXPECT_EQ(blue > 0, aggregates == 3) << aggregates << " aggregates";
+            // With two geometry passes the largest number of a class wins, because all fragments have one sample.
+            const bool isTwoPass = tier.tier == AGAA_TIER_PER_SAMPLE || tier.tier == AGAA_TIER_POST_DEPTH_ATOMICS;
+            if (!isTwoPass || aggregates == 3) {
+                EXPECT_GT(least, 0.1f); // both large classes show
+                EXPECT_EQ(blue > 0, aggregates == 3) << aggregates << " aggregates";
+            }
             EXPECT_EQ(shown.counters.joinedClasses > 0, aggregates == 2) << aggregates << " aggregates";
         }
     }

@@ -65,8 +65,8 @@ static AgaaLayout withClass(const AgaaLayout* own) {
     materialClass.semantic = AGAA_SEMANTIC_CUSTOM;
     materialClass.channels = 1;
     materialClass.sampleBits = 8;
-    materialClass.range = 255;               // a class is a code of 8 bits, or 1/257 of one of 16
-    materialClass.filter = AGAA_FILTER_NONE; // a mean of classes is none
+    materialClass.range = 255;
+    materialClass.filter = AGAA_FILTER_CLASS;
     materialClass.name = classAttribute;
     // Layouts with wide channels have room for one more of them, but not for a fifth attachment.
     const AgaaLayout narrow = withAttribute(own, materialClass, "classes of materials");

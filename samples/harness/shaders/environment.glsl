@@ -77,13 +77,8 @@ vec3 environmentLight(AgaaSurface surface, vec3 toEye) {
     return sum;
 }
 
-// The light of the frame that the library's model reflects. With elliptic lobes (AGAA_NDF_LEAN, AGAA_NDF_SGGX),
-// agaaBuiltInReflect() reads the axis of round ones, too: any vector that is perpendicular to the normal will do.
+// The light of the frame that the library's model reflects.
 vec3 reflectedLight(AgaaSurface surface, AgaaIncidentLight light, vec3 toEye) {
-    if (surface.axis == vec3(0.0)) {
-        vec3 n = surface.normal;
-        surface.axis = normalize(abs(n.x) < 0.5 ? vec3(0.0, -n.z, n.y) : vec3(n.y, -n.x, 0.0));
-    }
     return agaaBuiltInReflect(surface, light.toLight, toEye) * light.radiance;
 }
 
@@ -93,8 +88,7 @@ vec3 reflectedLight(AgaaSurface surface, AgaaIncidentLight light, vec3 toEye) {
 const float coatReflectance = 0.04;
 const float coatAlpha2 = 0.05 * 0.05 * 0.05 * 0.05; // the square of GGX alpha 0.05^2
 
-// A mean over samples of several classes counts as the nearest class.
-bool hasCoat(AgaaSurface surface) { return int(surface.materialClass + 0.5) == 1; }
+bool hasCoat(AgaaSurface surface) { return surface.materialClass == 1.0; }
 
 // The spread of normals widens the lobe of the coat as the library widens surface.alpha2, but from the coat's own
 // width (Toksvig 2005).

@@ -226,9 +226,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_SPREAD_WORDS", c[AGAA_SPREAD_WORDS]);
         defineSwitch(out, "AGAA_REPRESENTED", c[AGAA_STRIDE] != c[AGAA_WORDS] + c[AGAA_SPREAD_WORDS]);
         const auto isNormals = [](const Binding& binding) { return binding.slot == host_slot::Normals; };
-        const bool hasNormals = std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals);
-        defineSwitch(out, "AGAA_CHECKS_FAR_PLANE", hasNormals && !plan.view.reversedZ);
-        defineSwitch(out, "AGAA_COUNTS_CLASSES", hasNormals && c[AGAA_CLASS_WORD]);
+        defineSwitch(out, "AGAA_CHECKS_FAR_PLANE", std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
         out += packing(c);
     }

@@ -3,9 +3,6 @@
 #if !defined(AGAA_WORDS) || !defined(AGAA_STRIDE) || !defined(AGAA_REPRESENTED) || !defined(AGAA_SPREAD_WORDS)
 #error "accumulate_aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE, AGAA_REPRESENTED and AGAA_SPREAD_WORDS."
 #endif
-#ifndef AGAA_COUNTS_CLASSES
-#error "accumulate_aggregate.glsl needs AGAA_COUNTS_CLASSES."
-#endif
 #include "math/normal_moments.glsl"
 layout(early_fragment_tests) in;
 #if AGAA_POST_DEPTH_COVERAGE
@@ -30,31 +27,8 @@ void agaa_addToWord(uint word, uint amount) { atomicAdd(agaa_aggregates.words[wo
 void agaa_raiseWord(uint word, uint least) { atomicMax(agaa_aggregates.words[word], least); }
 #endif
 
-#if AGAA_CHECKS_FAR_PLANE || AGAA_COUNTS_CLASSES
-layout(AGAA_BINDING_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals; // of the first pass; 0: background
-#endif
-
-#if AGAA_COUNTS_CLASSES
-// Returns the number of these samples of the pixel that have the class.
-uint agaa_samplesOfClass(uvec2 pixel, uint samples, uint class_) {
-    const uvec2 texels = uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
-    uint count = 0u;
-    for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
-        uint i = uint(findLSB(rest));
-        uint texel = i / uint(AGAA_HW_SAMPLES);
-        ivec2 at = ivec2(pixel * texels + uvec2(texel % texels.x, texel / texels.x));
-#if AGAA_HW_SAMPLES == 1
-        vec4 value = texelFetch(agaa_normals, at, 0);
-#else
-        vec4 value = texelFetch(agaa_normals, at, int(i % uint(AGAA_HW_SAMPLES)));
-#endif
-        count += value.x > 0.0 && uint(value.z * 255.0 + 0.5) == class_ ? 1u : 0u;
-    }
-    return count;
-}
-#endif
-
 #if AGAA_CHECKS_FAR_PLANE
+layout(AGAA_BINDING_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals; // of the first pass; 0: background
 #if AGAA_HW_SAMPLES == 1
 #define AGAA_NORMAL_OF(i) texelFetch(agaa_normals, ivec2(gl_FragCoord.xy), 0)
 #else
@@ -158,16 +132,11 @@ void agaa_emit(AgaaSurfaceInput s) {
         if (fresh == 0u)
             continue;
         uint count = uint(bitCount(fresh));
-        uint ofClass = count;
-#if AGAA_COUNTS_CLASSES
-        uint all = agaa_samplesOfAggregate(planes, a) & (0xFFFFFFFFu >> uint(32 - AGAA_SAMPLES));
-        ofClass = agaa_samplesOfClass(pixel, all, agaa_packed[AGAA_CLASS_WORD - 1u]);
-#endif
         // The condition contains the product, because words of a material without textures are uniform. Mesa's lavapipe
         // (22.3) copies a shader, and never frees the copy, at every draw whose uniforms decide a branch.
         for (uint w = 0u; w < AGAA_WORDS; ++w)
             if (agaa_isUnfilteredWord(w))
-                agaa_raiseWord(base + w, agaa_unfilteredWord(w, ofClass));
+                agaa_raiseWord(base + w, agaa_unfilteredWord(w, count));
             else if (agaa_packed[w] * count != 0u)
                 agaa_addToWord(base + w, agaa_packed[w] * count);
         for (uint m = 0u; m < AGAA_SPREAD_WORDS; ++m)

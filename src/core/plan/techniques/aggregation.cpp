@@ -105,9 +105,8 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     if (metadata != noResource)
         b.bind(pass, host_slot::Metadata, BindingType::Texture, metadata);
     // Fragments at the far plane equal the cleared depth, although the prepass does not show them. The normals
-    // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself. The
-    // classes of an aggregate's samples are there, too.
-    if (!a.represented && (!b.view().reversedZ || a.packing.classWord))
+    // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself.
+    if (!a.represented && !b.view().reversedZ)
         b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.values);
     b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.view().hwSamples > 1)
