@@ -2,6 +2,7 @@
 #pragma once
 
 #include "batch_cases.h"
+#include "hard_case_test.h"
 
 namespace agaa::test {
 
@@ -26,13 +27,6 @@ inline std::vector<PrepassView> prepassViews() {
 inline ViewSettings withPrepass(ViewSettings settings) {
     settings.config.coverage.flags |= AGAA_COVERAGE_DEPTH_PREPASS;
     return settings;
-}
-
-// Changes a pixelOrthographic() projection of depth 10.
-inline void reverseDepth(ViewSettings& settings) {
-    settings.flags |= AGAA_VIEW_REVERSED_Z;
-    settings.projection[2][2] = 0.1f;
-    settings.projection[3][2] = 1;
 }
 
 inline Material glowing(float value) {

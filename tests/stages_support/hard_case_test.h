@@ -68,6 +68,12 @@ inline ViewSettings pixelView(const Setting& s, uint32_t c = 2) {
     settings.config.generationTier = s.tier;
     return settings;
 }
+// Replaces each depth of an orthographic view by 1 - depth.
+inline void reverseDepth(ViewSettings& settings) {
+    settings.flags |= AGAA_VIEW_REVERSED_Z;
+    for (int column = 0; column < 4; ++column)
+        settings.projection[column][2] = (column == 3 ? 1.0f : 0.0f) - settings.projection[column][2];
+}
 inline std::ostream& operator<<(std::ostream& out, const Setting& s) {
     return out << s.technique << " n=" << s.n << ' ' << agaaTierName(s.tier);
 }

@@ -63,11 +63,8 @@ protected:
 
     static ViewSettings settingsOf(const TechniqueTier& tier, bool isReversed = false) {
         ViewSettings settings = pixelView({tier.technique, tier.n});
-        if (isReversed) {
-            settings.flags |= AGAA_VIEW_REVERSED_Z;
-            for (int column = 0; column < 4; ++column) // 1 - depth
-                settings.projection[column][2] = (column == 3 ? 1.0f : 0.0f) - settings.projection[column][2];
-        }
+        if (isReversed)
+            reverseDepth(settings);
         apply(tier, settings);
         settings.config.layout = &layout;
         settings.facts.flags = AGAA_FACT_AMBIENT;
