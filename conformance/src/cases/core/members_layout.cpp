@@ -156,7 +156,7 @@ void addAttributes(Suite& suite) {
                              customLayout(parts);
                              parts.layout.attributes[5].aggregateBits = 8; // 24 bits of an unfiltered attribute
                          },
-                         {AGAA_FILTER_CLASS, AGAA_FILTER_CLASS + 1}}); // a class has one channel
+                         {AGAA_FILTER_CLASS + 1}}); // testClasses() has the rules of a class
     addAttribute(suite, {"AgaaLayoutAttribute.filter/enum/diffuse",
                          "AgaaLayoutAttribute::filter",
                          set<0, &Attribute::filter>,
