@@ -141,7 +141,7 @@ TYPED_TEST_P(MaterialClassCases, TheSmallestOfTooManyJoins) {
                 if (i % 32 == 4)
                     least = std::min({least, shown.rgb[3 * i], shown.rgb[3 * i + 1]});
             }
-            // With two geometry passes the largest number of a class wins, because all fragments have one sample.
+            // With two geometry passes the class of the largest fragment wins.
             const bool isTwoPass = tier.tier == AGAA_TIER_PER_SAMPLE || tier.tier == AGAA_TIER_POST_DEPTH_ATOMICS;
             if (!isTwoPass || aggregates == 3) {
                 EXPECT_GT(least, 0.1f); // both large classes show
