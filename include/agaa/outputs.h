@@ -42,10 +42,9 @@ typedef struct AgaaResolvedOutput {
 /* Outputs of a view beside its image. Chain it to AgaaViewDesc. The last pass of each frame writes them into images of
  * the host: AgaaVkResolvedImages or AgaaGlResolvedTextures, chained to AgaaVkFrame or AgaaGlFrame. A depth or coverage
  * of a view with a depth buffer costs this pass. Other values take memory where samples are not in a G-buffer: the
- * surface "resolved-sums" and, for CUSTOM in "dcaa" and "sbaa", the attributes of each surface. "msaa" keeps no
- * materials: NORMAL and CUSTOM fail with AGAA_ERROR_UNSUPPORTED. With AGAA_CONFIG_ACCUMULATE, the values are those of
- * the frame, not of the accumulated image. On Vulkan, more outputs than maxPerStageDescriptorStorageImages of the
- * device fail with AGAA_ERROR_UNSUPPORTED. */
+ * surface "resolved-sums" and, for CUSTOM in "dcaa" and "sbaa", the attributes of each surface. For NORMAL and CUSTOM,
+ * the prepass of "msaa" is that of a G-buffer. With AGAA_CONFIG_ACCUMULATE, the values are those of the frame, not of
+ * the accumulated image. On Vulkan, maxPerStageDescriptorStorageImages of the device bounds them. */
 typedef struct AgaaResolvedOutputs {
     uint32_t sType;
     uint32_t structSize;

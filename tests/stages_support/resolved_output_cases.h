@@ -56,13 +56,16 @@ template <class Host> struct ResolvedBench {
 template <class Host> class ResolvedOutputCases : public HardCaseTest<Host> {
 protected:
     static constexpr float panel = 2, background = 0.0625f;
-    static constexpr float panelDepth = 0.3f, groundDepth = 0.8f; // of an orthographic view of 10 units
+    static constexpr float panelDepth = 0.3f, groundDepth = 0.8f,
+                           hiddenDepth = 0.9f; // of an orthographic view of 10 units
     static inline const AgaaLayout layout = layoutWithKind();
-
-    static bool resolvesSurfaces(const TechniqueTier& tier) { return tier.technique != std::string("msaa"); }
 
     static ViewSettings settingsOf(const TechniqueTier& tier, bool isReversed = false) {
         ViewSettings settings = pixelView({tier.technique, tier.n});
+        const glm::uvec2 extent = extentOf(tier);
+        settings.width = extent.x;
+        settings.height = extent.y;
+        settings.projection = pixelOrthographic(extent.x, extent.y, 10);
         if (isReversed)
             reverseDepth(settings);
         apply(tier, settings);
@@ -72,15 +75,28 @@ protected:
         settings.surface = "s.velocity = s.diffuse.xy; s.kind = s.diffuse.x > 0.9 ? 7.0 : 3.0;";
         return settings;
     }
+    static glm::uvec2 extentOf(const TechniqueTier& tier) {
+        return tier.isBatched ? batchedExtent : glm::uvec2(32, 16);
+    }
     // A bright panel before a dark ground, which ends in the middle, over the background. Each pixel has two colours at
     // most, because the ground's edges lie between pixels.
-    static Shot shot() {
+    static Shot shot(const TechniqueTier& tier = {}) {
+        const glm::vec2 extent = extentOf(tier);
         Material dark = facing({0.125f, 0.25f, 0.125f});
         dark.normal = {0.6f, 0, 0.8f, 1};
         Shot shot;
-        shot.triangles = rectangle(0, 0, 16, 16, 10 * groundDepth, dark);
-        for (const Triangle& t : rectangle(4.3f, 3.4f, 27.6f, 12.7f, 10 * panelDepth, facing({1, 1, 1})))
-            shot.triangles.push_back(t);
+        const auto add = [&](glm::vec2 from, glm::vec2 to, float depth, const Material& material) {
+            for (const Triangle& t : rectangle(from.x, from.y, to.x, to.y, 10 * depth, material))
+                shot.triangles.push_back(t);
+        };
+        const glm::vec2 middle = {extent.x / 2, extent.y};
+        for (int hidden = 0; tier.isBatched && hidden < 3; ++hidden) // fragments for more than one batch
+            add({0, 0}, middle, hiddenDepth, facing({1, 0, 1}));
+        add({0, 0}, middle, groundDepth, dark);
+        add({4.3f, 3.4f}, extent - glm::vec2(4.4f, 3.3f), panelDepth, facing({1, 1, 1}));
+        for (Triangle& t : shot.triangles)
+            t.seed = uint32_t(&t - shot.triangles.data()); // some of which are not fetched, where draws are mixed
+        shot.fetchFlags = tier.isMixed ? AGAA_FETCH_NOT_ALL_DRAWS : 0;
         shot.lights = {};
         shot.material = "m.velocity = m.diffuse.xy; m.kind = m.diffuse.x > 0.9 ? 7.0 : 3.0;";
         shot.change = [](AgaaFrame& frame) {
@@ -89,19 +105,22 @@ protected:
         };
         return shot;
     }
-    static std::vector<AgaaResolvedOutput> outputsOf(const TechniqueTier& tier) {
-        std::vector<AgaaResolvedOutput> outputs = {{AGAA_RESOLVED_NEAREST_DEPTH, 0, nullptr},
-                                                   {AGAA_RESOLVED_MEAN_DEPTH, 0, nullptr},
-                                                   {AGAA_RESOLVED_COVERAGE, 0, nullptr}};
-        if (resolvesSurfaces(tier))
-            for (const AgaaResolvedOutput& of : {AgaaResolvedOutput{AGAA_RESOLVED_NORMAL, 0, nullptr},
-                                                 AgaaResolvedOutput{AGAA_RESOLVED_CUSTOM, 0, "velocity"}})
-                outputs.push_back(of);
-        if (resolvesSurfaces(tier))
-            outputs.push_back({AGAA_RESOLVED_CUSTOM, 0, "kind"});
-        return outputs;
-    }
+    static inline const std::vector<AgaaResolvedOutput> allOutputs = {
+        {AGAA_RESOLVED_NEAREST_DEPTH, 0, nullptr}, {AGAA_RESOLVED_MEAN_DEPTH, 0, nullptr},
+        {AGAA_RESOLVED_COVERAGE, 0, nullptr},      {AGAA_RESOLVED_NORMAL, 0, nullptr},
+        {AGAA_RESOLVED_CUSTOM, 0, "velocity"},     {AGAA_RESOLVED_CUSTOM, 0, "kind"}};
     static constexpr size_t pixels = 32 * 16;
+
+    // Returns the texels of the outputs of a frame, one after the other.
+    static std::vector<glm::vec3> valuesOf(ResolvedBench<Host>& host) {
+        host.bench->rgb();
+        std::vector<glm::vec3> values;
+        for (size_t i = 0; i < host.outputs.count; ++i) {
+            const std::vector<glm::vec3> texels = host.images.read(i);
+            values.insert(values.end(), texels.begin(), texels.end());
+        }
+        return values;
+    }
 };
 TYPED_TEST_SUITE_P(ResolvedOutputCases);
 
@@ -111,18 +130,20 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
     std::map<std::string, double> worst;
     for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
         SCOPED_TRACE(testing::Message() << tier);
-        const bool isChosen = rendersSetting<TypeParam>(setting++) || !Cases::resolvesSurfaces(tier);
-        if (!isChosen || tier.isBatched || tier.isMixed || tier.layout || !runs(tier, this->context.get()->caps))
+        const bool isChosen = rendersSetting<TypeParam>(setting++) || tier.technique == std::string("msaa");
+        if (!isChosen || tier.layout || !runs(tier, this->context.get()->caps))
             continue;
         const bool isReversed = setting % 3 == 0; // the far plane has depth 0
         const auto depthOf = [&](float depth) { return double(isReversed ? 1 - depth : depth); };
-        const Shot shot = Cases::shot();
-        ResolvedBench<TypeParam> host(this->context, Cases::settingsOf(tier, isReversed), Cases::outputsOf(tier), shot,
-                                      {32, 16});
+        const Shot shot = Cases::shot(tier);
+        const glm::uvec2 extent = Cases::extentOf(tier);
+        ResolvedBench<TypeParam> host(this->context, Cases::settingsOf(tier, isReversed), Cases::allOutputs, shot,
+                                      extent);
         host.bench->setTriangles(shot.triangles);
         std::vector<float> rgb;
         for (int frame = 0; frame < 2; ++frame) // sums of the first are not those of the second
             rgb = host.bench->rgb();
+        EXPECT_EQ(host.bench->view().statistics().counters.batches > 1, tier.isBatched);
         std::vector<std::vector<glm::vec3>> values;
         for (size_t i = 0; i < host.outputs.count; ++i)
             values.push_back(host.images.read(i));
@@ -132,13 +153,14 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
         const auto compare = [&](const char* what, float value, double expected, double tolerance, size_t pixel) {
             const double error = std::abs(double(value) - expected);
             worst[what] = std::max(worst[what], error);
-            EXPECT_LE(error, tolerance) << what << " of pixel " << pixel % 32 << ", " << pixel / 32 << ": " << value
-                                        << " for " << expected;
+            EXPECT_LE(error, tolerance) << what << " of pixel " << pixel % extent.x << ", " << pixel / extent.x << ": "
+                                        << value << " for " << expected;
         };
-        for (size_t i = 0; i < Cases::pixels; ++i) {
-            const bool hasGround = i % 32 < 16;
+        for (size_t i = 0; i < size_t(extent.x) * extent.y; ++i) {
+            const glm::uvec2 at = {i % extent.x, i / extent.x};
+            const bool hasGround = at.x < extent.x / 2;
             const double behind = hasGround ? double(groundLight) : double(Cases::background);
-            const bool isInside = i % 32 >= 4 && i % 32 <= 27 && i / 32 >= 3 && i / 32 <= 12; // the pixel's centre
+            const bool isInside = at.x >= 4 && at.x <= extent.x - 5 && at.y >= 3 && at.y <= extent.y - 4; // its centre
             const double share =
                 tier.n == 1 ? double(isInside) : (double(rgb[3 * i]) - behind) / (double(Cases::panel) - behind);
             const double groundShare = hasGround ? 1 - share : 0, covered = share + groundShare;
@@ -149,8 +171,6 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
             compare("mean depth", values[1][i].x, showsAny ? (share * panel + groundShare * ground) / covered : far,
                     1e-6, i);
             compare("coverage", values[2][i].x, covered, 1e-7, i);
-            if (!Cases::resolvesSurfaces(tier))
-                continue;
             const double total = showsAny ? covered : 1;
             compare("normal x", values[3][i].x, groundShare * 0.6 / total, 3e-5, i);
             compare("normal z", values[3][i].z, (groundShare * 0.8 + share) / total, 3e-5, i);
@@ -184,7 +204,7 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesNeedNoOthers) {
                 values.push_back(host.images.read(i));
             return values;
         };
-        const std::vector<AgaaResolvedOutput> outputs = Cases::outputsOf(tier);
+        const std::vector<AgaaResolvedOutput>& outputs = Cases::allOutputs;
         const std::vector<std::vector<glm::vec3>> together = valuesOf(outputs);
         for (size_t i = 0; i < outputs.size(); ++i)
             EXPECT_EQ(valuesOf({outputs[i]})[0], together[i]) << "output " << i;
@@ -196,8 +216,8 @@ TYPED_TEST_P(ResolvedOutputCases, UnfilteredValuesAreNotMixed) {
     using Cases = ResolvedOutputCases<TypeParam>;
     for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
         SCOPED_TRACE(testing::Message() << tier);
-        if (!rendersSetting<TypeParam>(setting++) || !Cases::resolvesSurfaces(tier) || tier.isBatched || tier.layout ||
-            tier.isMixed || !runs(tier, this->context.get()->caps))
+        if (!rendersSetting<TypeParam>(setting++) || tier.isBatched || tier.layout || tier.isMixed ||
+            !runs(tier, this->context.get()->caps))
             continue;
         ViewSettings settings = Cases::settingsOf(tier);
         settings.config.aggregates = 1;
@@ -230,13 +250,68 @@ TYPED_TEST_P(ResolvedOutputCases, ImageStaysTheSame) {
         const ViewSettings settings = Cases::settingsOf(tier);
         ViewBench<TypeParam> plain(this->context, settings, shot);
         plain.setTriangles(shot.triangles);
-        ResolvedBench<TypeParam> host(this->context, settings, Cases::outputsOf(tier), shot, {32, 16});
+        ResolvedBench<TypeParam> host(this->context, settings, Cases::allOutputs, shot, {32, 16});
         host.bench->setTriangles(shot.triangles);
         EXPECT_EQ(host.bench->rgb(), plain.rgb());
     }
 }
 
+// Frames in parts, with a shading function over what the output holds, and at a place of a larger output have the
+// values of others.
+TYPED_TEST_P(ResolvedOutputCases, OtherFramesHaveTheSameValues) {
+    using Cases = ResolvedOutputCases<TypeParam>;
+    AgaaShadingFunction function = AGAA_SHADING_FUNCTION_INIT;
+    function.level = AGAA_SHADING_EVENT;
+    function.glsl = "vec3 agaaShade(AgaaSurface s) { return 0.5 * s.diffuse + 0.001 * s.kind; }\n";
+    constexpr glm::uvec2 extent = {32, 16}, wide = {48, 40}, corner = {9, 13};
+    for (const TechniqueTier& tier : {TechniqueTier{.technique = "msaa", .n = 4},
+                                      {.technique = "ssaa", .n = 8},
+                                      {.technique = "agaa", .n = 8, .tier = AGAA_TIER_POST_DEPTH_ATOMICS},
+                                      {.technique = "agaa", .n = 8, .tier = AGAA_TIER_IDS},
+                                      {.technique = "agaa", .n = 64, .tier = AGAA_TIER_FRAGMENTS},
+                                      {.technique = "dcaa", .n = 64, .tier = AGAA_TIER_MATERIAL_LISTS}}) {
+        SCOPED_TRACE(testing::Message() << tier);
+        if (!runs(tier, this->context.get()->caps))
+            continue;
+        const Shot shot = Cases::shot();
+        ResolvedBench<TypeParam> host(this->context, Cases::settingsOf(tier), Cases::allOutputs, shot, extent);
+        host.bench->setTriangles(shot.triangles);
+        const std::vector<glm::vec3> values = Cases::valuesOf(host);
+        host.bench->segments = {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING};
+        EXPECT_EQ(Cases::valuesOf(host), values);
+
+        ViewSettings settings = Cases::settingsOf(tier);
+        settings.flags |= AGAA_VIEW_COMPOSITE;
+        settings.chained = &function;
+        ResolvedBench<TypeParam> shaded(this->context, settings, Cases::allOutputs, shot, extent);
+        shaded.bench->setTriangles(shot.triangles);
+        EXPECT_EQ(Cases::valuesOf(shaded), values);
+
+        settings = Cases::settingsOf(tier);
+        settings.width = wide.x;
+        settings.height = wide.y;
+        Shot placed = Cases::shot();
+        placed.change = [change = placed.change, extent, corner](AgaaFrame& frame) {
+            change(frame);
+            frame.width = extent.x;
+            frame.height = extent.y;
+            frame.outputX = corner.x;
+            frame.outputY = corner.y;
+        };
+        ResolvedBench<TypeParam> larger(this->context, settings, Cases::allOutputs, placed, wide);
+        larger.bench->setTriangles(shot.triangles);
+        larger.bench->rgb();
+        for (size_t i = 0; i < Cases::allOutputs.size(); ++i) {
+            const std::vector<glm::vec3> texels = larger.images.read(i);
+            for (uint32_t y = 0; y < extent.y; ++y)
+                for (uint32_t x = 0; x < extent.x; ++x)
+                    ASSERT_EQ(texels[(y + corner.y) * wide.x + x + corner.x], values[(i * extent.y + y) * extent.x + x])
+                        << "output " << i << " of pixel " << x << ", " << y;
+        }
+    }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples, ValuesNeedNoOthers,
-                            UnfilteredValuesAreNotMixed, ImageStaysTheSame);
+                            UnfilteredValuesAreNotMixed, ImageStaysTheSame, OtherFramesHaveTheSameValues);
 
 } // namespace agaa::test

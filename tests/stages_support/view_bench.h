@@ -27,6 +27,7 @@ public:
     }
     std::function<void(typename Host::Frame&)> change; // what frames have besides; may be empty
     bool keepsOutput = false;                          // a frame begins with the output of the one before
+    std::vector<uint64_t> segments{AGAA_SEGMENT_ALL};  // AgaaFrame::segments of each recording of a frame
     // Renders the next frame and returns its pixels.
     std::vector<float> rgb() {
         AgaaFrame frame = view().frame();
@@ -43,7 +44,10 @@ public:
             hasOutput_ = true;
             if (change)
                 change(native);
-            EXPECT_EQ(Host::recordFrame(view().get(), &frame, &native), AGAA_OK);
+            for (const uint64_t recorded : segments) {
+                frame.segments = recorded;
+                EXPECT_EQ(Host::recordFrame(view().get(), &frame, &native), AGAA_OK);
+            }
         });
         return withoutAlpha(Host::rgba(view()));
     }

@@ -9,19 +9,19 @@
 
 namespace agaa {
 
+bool resolvesSurfaces(const PlanBuilder& b) {
+    return std::ranges::any_of(b.view().resolvedOutputs, &ResolvedOutput::isOfSurfaces);
+}
+
 namespace {
 
 bool hasDepths(const PlanBuilder& b) {
     return b.sceneDepth != noResource || b.visibleSamples != noResource || b.view().hostGBuffer;
 }
 
-bool hasSurfaces(const PlanBuilder& b) {
-    return std::ranges::any_of(b.view().resolvedOutputs, &ResolvedOutput::isOfSurfaces);
-}
-
 // Depths that a buffer has need no other source.
-bool readsSamples(const PlanBuilder& b) { return b.view().hostGBuffer || (hasSurfaces(b) && b.bindSceneSamples); }
-bool readsSums(const PlanBuilder& b) { return !readsSamples(b) && (hasSurfaces(b) || !hasDepths(b)); }
+bool readsSamples(const PlanBuilder& b) { return b.view().hostGBuffer || (resolvesSurfaces(b) && b.bindSceneSamples); }
+bool readsSums(const PlanBuilder& b) { return !readsSamples(b) && (resolvesSurfaces(b) || !hasDepths(b)); }
 
 // The words of a pixel (src/shaders/common/resolved_values.glsl) and the text that adds to them and reads them.
 struct Values {
@@ -172,10 +172,6 @@ void clearSums(PlanBuilder& b) {
 void sumEvents(PlanBuilder& b, Pass& pass) {
     if (b.view().resolvedOutputs.empty() || !readsSums(b))
         return;
-    if (pass.kind() == PassKind::HostDraw)
-        fail(AGAA_ERROR_UNSUPPORTED,
-             format("\"%s\" keeps no materials, which the outputs NORMAL and CUSTOM of AgaaResolvedOutputs need.",
-                    b.view().technique->name));
     const Values values = valuesOf(b);
     std::string& defines = pass.compute().defines;
     defines += "#define AGAA_RESOLVES_EVENTS 1\n" + definesOf(values);

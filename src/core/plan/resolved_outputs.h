@@ -5,6 +5,9 @@
 
 namespace agaa {
 
+// Returns whether outputs of the view are values of surfaces, not of depths only.
+bool resolvesSurfaces(const PlanBuilder& b);
+
 // Lets a pass that shades add its events' surfaces to sums, if the view has outputs that need them. The plan's depth
 // and samples are known already.
 void sumEvents(PlanBuilder& b, Pass& pass);

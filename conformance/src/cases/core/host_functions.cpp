@@ -281,8 +281,8 @@ void testNameOfAttribute(Test& test) {
 } // namespace
 
 void addHostFunctionCases(Suite& suite) {
-    suite.core("AgaaResolvedOutputs/AGAA_ERROR_UNSUPPORTED",
-               [](Test& test) { testNotFor(test, {"msaa"}, "AgaaResolvedOutputs", resolves(AGAA_RESOLVED_NORMAL)); });
+    suite.core("AgaaResolvedOutputs.techniques",
+               [](Test& test) { testNotFor(test, {}, "AgaaResolvedOutputs", resolves(AGAA_RESOLVED_NORMAL)); });
     suite.core("AgaaResolvedOutput.attribute/AGAA_ERROR_LAYOUT", testNameOfAttribute);
     suite.core("AgaaGBufferFunction/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
         testNotFor(test, {"msaa", "dcaa"}, "AgaaGBufferFunction", [](ViewParts& p) { p.chainAlone(p.gbuffer); });

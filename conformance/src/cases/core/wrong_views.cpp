@@ -49,11 +49,6 @@ void addNulls(Rows& rows) {
              p.chain(p.outputs);
              p.outputs.outputs[0] = {AGAA_RESOLVED_CUSTOM, 0, "velocity"};
          }});
-    rows.push_back({"AGAA_RESOLVED_NORMAL of \"msaa\"", AGAA_ERROR_UNSUPPORTED, "msaa", [](ViewParts& p) {
-                        p.config.technique = "msaa";
-                        p.chain(p.outputs);
-                        p.outputs.outputs[0].value = AGAA_RESOLVED_NORMAL;
-                    }});
     rows.push_back({"AgaaShadingFunction::glsl = null", AGAA_ERROR_INVALID_ARGUMENT, "glsl", [](ViewParts& p) {
                         p.chain(p.shading);
                         p.shading.glsl = nullptr;

@@ -23,14 +23,14 @@ Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
 
 } // namespace
 
-GBuffer makeGBuffer(PlanBuilder& b) {
+GBuffer makeGBuffer(PlanBuilder& b, bool needsStencil) {
     GBuffer g;
     if (b.view().hostGBuffer) {
         g.packing = packGBuffer(b.view().layout);
         b.bindSceneSamples = [&b, g](Pass& pass) { g.bind(b, pass); };
         return g;
     }
-    g.depth = b.depth(false);
+    g.depth = b.depth(needsStencil);
     Pass& pass = drawGBuffer(b, g, "gbuffer");
     pass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     pass.draw().state.depthWrite = 1;

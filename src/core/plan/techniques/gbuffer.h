@@ -24,7 +24,8 @@ struct GBuffer {
 // the depth takes its place, so that the memory of the image is free.
 void bindGeometryMask(PlanBuilder& b, Pass& pass, ResourceId mask, ResourceId depth);
 
-GBuffer makeGBuffer(PlanBuilder& b);
+// needsStencil   A later draw pass tests the stencil of its depth.
+GBuffer makeGBuffer(PlanBuilder& b, bool needsStencil = false);
 // Draws a G-buffer at depths that equal those of an earlier pass.
 GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth);
 

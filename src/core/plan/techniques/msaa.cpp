@@ -1,19 +1,28 @@
 // `msaa`: forward shading once per fragment into a multisampled target, which is resolved. A depth
 // prepass avoids the shading of hidden fragments.
 #include "core/plan/plan_builder.h"
+#include "core/plan/resolved_outputs.h"
+#include "core/plan/techniques/gbuffer.h"
 #include "core/plan/techniques/techniques.h"
 
 namespace agaa {
 
-static void build(PlanBuilder& b) {
-    const ResourceId depth = b.depth(b.wantsStencil());
-    const ResourceId color = b.image("color", Format::RGBA16F, true);
+// Adds the prepass. Returns its depth.
+static ResourceId drawDepth(PlanBuilder& b) {
+    if (resolvesSurfaces(b)) // The prepass is that of a G-buffer, because the forward pass keeps colours only.
+        return makeGBuffer(b, b.wantsStencil()).depth;
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY, AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
     prepass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     prepass.draw().state.depthWrite = 1;
-    prepass.draw().depthTarget = depth;
+    prepass.draw().depthTarget = b.depth(b.wantsStencil());
     prepass.draw().clearsDepth = true;
+    return prepass.draw().depthTarget;
+}
+
+static void build(PlanBuilder& b) {
+    const ResourceId depth = drawDepth(b);
+    const ResourceId color = b.image("color", Format::RGBA16F, true);
     Pass& forward = b.hostDraw("forward", AGAA_STAGE_SHADING, AGAA_DRAW_PASS_FORWARD, AGAA_SEGMENT_SHADING);
     b.bindCommon(forward);
     b.bindLighting(forward);
