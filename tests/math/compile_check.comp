@@ -24,6 +24,7 @@
 #include "../../src/shaders/math/pixel_sums.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
+#include "../../src/shaders/math/second_moments.glsl"
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/normal_moments.glsl"
@@ -99,8 +100,9 @@ void main() {
     s.normal = n;
     s.meanLength = len;
     s.alpha2 = x.w;
-    agaa_NormalMoments spread = agaa_NormalMoments(v, t);
-    agaa_addNormalMoments(spread, x.y, n);
+    agaa_SecondMoments spread = agaa_SecondMoments(v, t);
+    agaa_addSecondMoments(spread, x.y, n);
+    spread = agaa_momentsInBasis(agaa_momentsAroundMean(spread, x.z, b), n, t, b);
     agaa_spreadAlpha2(spread, n, len, x.z, id & 1u, 1e-6, s.axis, s.alpha2Along, s.alpha2);
     acc += agaa_shade(s, t, agaa_lightDirection(b, 1e-4), bad, id & 1u, id & 2u) *
            agaa_pointAttenuation(x.x, x.y, 1e-4) * agaa_spotCone(x.x, x.y, x.z);

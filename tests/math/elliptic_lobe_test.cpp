@@ -10,9 +10,9 @@ namespace {
 
 template <class Moments, class Vector> void add(Moments& moments, double weight, const Vector& n) {
     if constexpr (std::is_same_v<Vector, glm::vec3>)
-        math_f::agaa_addNormalMoments(moments, float(weight), n);
+        math_f::agaa_addSecondMoments(moments, float(weight), n);
     else
-        math_d::agaa_addNormalMoments(moments, weight, n);
+        math_d::agaa_addSecondMoments(moments, weight, n);
 }
 
 struct Spread {
@@ -34,7 +34,7 @@ struct Normals {
     }
 
     Spread inFloat(float alpha2, unsigned sggx, float bound) const {
-        math_f::agaa_NormalMoments m{glm::vec3(0), glm::vec3(0)};
+        math_f::agaa_SecondMoments m{glm::vec3(0), glm::vec3(0)};
         for (const glm::vec3& n : each)
             add(m, 1.0 / double(each.size()), n);
         glm::vec3 axis;
@@ -44,7 +44,7 @@ struct Normals {
     }
 
     Spread inDouble(double alpha2, unsigned sggx, double bound) const {
-        math_d::agaa_NormalMoments m{glm::dvec3(0), glm::dvec3(0)};
+        math_d::agaa_SecondMoments m{glm::dvec3(0), glm::dvec3(0)};
         for (const glm::vec3& n : each)
             add(m, 1.0 / double(each.size()), glm::dvec3(n));
         Spread s;
@@ -151,7 +151,7 @@ TEST(EllipticLobe, OppositeNormalsMakeTheWidest) {
             EXPECT_LT(few.along, 0.01);
             glm::vec3 axis;
             float along = 0, across = 0;
-            math_f::agaa_NormalMoments m{glm::vec3(0), glm::vec3(0)};
+            math_f::agaa_SecondMoments m{glm::vec3(0), glm::vec3(0)};
             add(m, 0.5, n);
             add(m, 0.5, -n);
             math_f::agaa_spreadAlpha2(m, n, 0.0f, 0.001f, sggx, 1e-6f, axis, along, across);
@@ -280,7 +280,7 @@ TEST(EllipticLobe, FiniteForAnyFiniteInput) {
         glm::vec3 axis;
         float along = 0, across = 0;
         const glm::vec3 n(random.direction());
-        math_f::agaa_NormalMoments m{glm::vec3(random.unit(), random.unit(), random.unit()),
+        math_f::agaa_SecondMoments m{glm::vec3(random.unit(), random.unit(), random.unit()),
                                      glm::vec3(random.unit(), random.unit(), random.unit())};
         math_f::agaa_spreadAlpha2(m, n, pick(), pick(), i >> 1 & 1, 1e-6f, axis, along, across);
         ASSERT_TRUE(allFinite(axis) && across > 0 && across <= along && along <= 1) << i;

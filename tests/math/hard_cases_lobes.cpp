@@ -24,11 +24,11 @@ struct Widths {
 
 // The widened lobe of these normals.
 Widths widthsOf(const std::vector<glm::vec3>& normals, float alpha2, unsigned sggx) {
-    math_f::agaa_NormalMoments m{glm::vec3(0), glm::vec3(0)};
+    math_f::agaa_SecondMoments m{glm::vec3(0), glm::vec3(0)};
     glm::vec3 sum(0), mean, axis;
     float len, along, across;
     for (const glm::vec3& n : normals) {
-        math_f::agaa_addNormalMoments(m, 1.0f / float(normals.size()), n);
+        math_f::agaa_addSecondMoments(m, 1.0f / float(normals.size()), n);
         sum += n / float(normals.size());
     }
     math_f::agaa_meanDirection(sum, normals[0], mean, len);
@@ -88,9 +88,9 @@ TEST(HardCase06_SggxRankOne, ProjectedAreasHaveAFloor) {
         ASSERT_GE(is.along, is.across);
         ASSERT_LE(is.along, 1.0);
         // The matrix of the paper has no term of the roughness, so that its inverse is infinite for one normal.
-        math_f::agaa_NormalMoments m{glm::vec3(0), glm::vec3(0)};
+        math_f::agaa_SecondMoments m{glm::vec3(0), glm::vec3(0)};
         for (const glm::vec3& n : normals)
-            math_f::agaa_addNormalMoments(m, 1.0f / float(normals.size()), n);
+            math_f::agaa_addSecondMoments(m, 1.0f / float(normals.size()), n);
         glm::vec3 t, b;
         math_f::agaa_viewBasis(normals[0], t, b);
         const float area = math_f::agaa_momentAlong(m, normals[0], normals[0]);
@@ -106,10 +106,10 @@ TEST(HardCase06_SggxRankOne, MomentsOfStoredNormalsAreAMatrixOfSquares) {
     Random random(1106);
     Worst negative("moments of stored normals: square of the mixed one above the product of the others", 1e-6);
     for (int i = 0; i < 100000; ++i) {
-        math_f::agaa_NormalMoments m{glm::vec3(0), glm::vec3(0)};
+        math_f::agaa_SecondMoments m{glm::vec3(0), glm::vec3(0)};
         const auto normals = storedNormals(random, random.direction(), random.decades(1e-4, 1), 8);
         for (const glm::vec3& n : normals)
-            math_f::agaa_addNormalMoments(m, 1.0f / float(normals.size()), n);
+            math_f::agaa_addSecondMoments(m, 1.0f / float(normals.size()), n);
         for (int k = 0; k < 3; ++k)
             negative.add(std::max(0.0, double(m.mixed[k]) * double(m.mixed[k]) -
                                            double(m.squares[(k + 1) % 3]) * double(m.squares[(k + 2) % 3])));

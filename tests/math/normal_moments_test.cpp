@@ -32,22 +32,22 @@ Sums inDouble(const std::vector<glm::dvec3>& normals) {
     return sums;
 }
 
-math_f::agaa_NormalMoments floatMoments(const Sums& s) {
+math_f::agaa_SecondMoments floatMoments(const Sums& s) {
     return math_f::agaa_momentsOfSums(s.words[0], s.words[1], s.words[2], s.words[3], s.words[4], s.count);
 }
 
-math_d::agaa_NormalMoments doubleMoments(const Sums& s) {
+math_d::agaa_SecondMoments doubleMoments(const Sums& s) {
     return math_d::agaa_momentsOfSums(s.words[0], s.words[1], s.words[2], s.words[3], s.words[4], s.count);
 }
 
-math_d::agaa_NormalMoments exactMoments(const std::vector<glm::dvec3>& normals) {
-    math_d::agaa_NormalMoments m{glm::dvec3(0), glm::dvec3(0)};
+math_d::agaa_SecondMoments exactMoments(const std::vector<glm::dvec3>& normals) {
+    math_d::agaa_SecondMoments m{glm::dvec3(0), glm::dvec3(0)};
     for (const glm::dvec3& n : normals)
-        math_d::agaa_addNormalMoments(m, 1.0 / double(normals.size()), n);
+        math_d::agaa_addSecondMoments(m, 1.0 / double(normals.size()), n);
     return m;
 }
 
-template <class Moments> double distance(const Moments& a, const math_d::agaa_NormalMoments& b) {
+template <class Moments> double distance(const Moments& a, const math_d::agaa_SecondMoments& b) {
     const glm::dvec3 squares = glm::abs(glm::dvec3(a.squares) - b.squares);
     const glm::dvec3 mixed = glm::abs(glm::dvec3(a.mixed) - b.mixed);
     return std::max({squares.x, squares.y, squares.z, mixed.x, mixed.y, mixed.z});
@@ -67,7 +67,7 @@ TEST(NormalMoments, SumsHaveTheMomentsOfAllNormals) {
     double inFloats = 0, inDoubles = 0;
     for (int i = 0; i < 20000; ++i) {
         const std::vector<glm::dvec3> normals = someNormals(random);
-        const math_d::agaa_NormalMoments exact = exactMoments(normals);
+        const math_d::agaa_SecondMoments exact = exactMoments(normals);
         inFloats = std::max(inFloats, distance(floatMoments(inFloat(normals)), exact));
         inDoubles = std::max(inDoubles, distance(doubleMoments(inDouble(normals)), exact));
     }

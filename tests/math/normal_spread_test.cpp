@@ -10,7 +10,7 @@ namespace {
 struct Float {
     using Vector = glm::vec3;
     using Spread = math_f::agaa_NormalSpread;
-    using Moments = math_f::agaa_NormalMoments;
+    using Moments = math_f::agaa_SecondMoments;
     static Spread none(const Vector& n) { return math_f::agaa_noSpread(n); }
     static Spread mix(const Spread& a, const Spread& b, double share, const Vector& n) {
         return math_f::agaa_mixSpreads(a, b, float(share), n);
@@ -20,7 +20,7 @@ struct Float {
 struct Double {
     using Vector = glm::dvec3;
     using Spread = math_d::agaa_NormalSpread;
-    using Moments = math_d::agaa_NormalMoments;
+    using Moments = math_d::agaa_SecondMoments;
     static Spread none(const Vector& n) { return math_d::agaa_noSpread(n); }
     static Spread mix(const Spread& a, const Spread& b, double share, const Vector& n) {
         return math_d::agaa_mixSpreads(a, b, share, n);
@@ -51,10 +51,10 @@ std::vector<glm::dvec3> cap(Random& random, double radius) {
 // Variances of all normals along and across their widest direction, and the length of their mean.
 glm::dvec3 directly(const std::vector<glm::dvec3>& normals) {
     glm::dvec3 sum(0);
-    math_d::agaa_NormalMoments m{glm::dvec3(0), glm::dvec3(0)};
+    math_d::agaa_SecondMoments m{glm::dvec3(0), glm::dvec3(0)};
     for (const glm::dvec3& n : normals) {
         sum += n;
-        math_d::agaa_addNormalMoments(m, 1.0 / double(normals.size()), n);
+        math_d::agaa_addSecondMoments(m, 1.0 / double(normals.size()), n);
     }
     glm::dvec3 axis;
     double along = 0, across = 0;

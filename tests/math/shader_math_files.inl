@@ -22,6 +22,7 @@
 #undef AGAA_MATH_PIXEL_SUMS_GLSL
 #undef AGAA_MATH_ENCODING_GLSL
 #undef AGAA_MATH_METADATA_GLSL
+#undef AGAA_MATH_SECOND_MOMENTS_GLSL
 #undef AGAA_MATH_NDF_GLSL
 #undef AGAA_MATH_NORMAL_SPREAD_GLSL
 #undef AGAA_MATH_NORMAL_MOMENTS_GLSL
@@ -60,6 +61,7 @@
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/sbaa_records.glsl"
+#include "../../src/shaders/math/second_moments.glsl"
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/normal_moments.glsl"

@@ -283,6 +283,60 @@ vec3 agaaShade(AgaaSurface s) {
     }
 }
 
+// The footprint of an event is that of its samples, as supersampling sees them one by one, and bounds positionSpread.
+TYPED_TEST_P(ShadingFunctionCases, FootprintsAreThoseOfSamples) {
+    const auto event = [](const char* value) {
+        return std::string("vec3 agaaShade(AgaaSurface s) { float z = dot(transpose(mat3(agaa_frame.view))[2], "
+                           "s.position); return ") +
+               value + "; }\n";
+    };
+    Shot shot = this->shot(1);
+    shot.change = {};
+    const auto shown = [&](ViewSettings settings, const char* value) {
+        settings.facts.flags &= ~AGAA_FACT_EMISSIVE; // which "visibility" adds itself
+        return this->showWith(settings, shot, event(value).c_str(), AGAA_SHADING_EVENT).rgb;
+    };
+    const char* const bounds = "vec3(max(s.positionSpread - dot(s.positionSquares, vec3(1.0)), 0.0), "
+                               "max(s.positionProducts.z * s.positionProducts.z - s.positionSquares.x * "
+                               "s.positionSquares.y, 0.0), max(s.depthVariance - dot(s.positionSquares, vec3(1.0)), "
+                               "0.0))";
+    for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
+        if (tier.layout || tier.isBatched || tier.isMixed || !runs(tier, this->context.caps()) ||
+            !rendersSetting<TypeParam>(setting++))
+            continue;
+        SCOPED_TRACE(tier);
+        ViewSettings settings = this->settingsOf(tier, 1);
+        for (const float excess : shown(settings, bounds))
+            ASSERT_LE(excess, 1e-4f);
+        const bool seesAllSamples = tier.technique == std::string("agaa") && tier.tier != AGAA_TIER_FRAGMENTS &&
+                                    tier.visibility == AGAA_TIER_AUTO && // other sample positions
+
+                                    tier.tier != AGAA_TIER_MATERIAL_LISTS;
+        if (!seesAllSamples)
+            continue;
+        // Moments around the eye, because half floats of the image would not show a small difference of squares.
+        ViewSettings all = this->settingsOf(tier, 1);
+        all.config.technique = "ssaa";
+        all.config.generationTier = AGAA_TIER_AUTO;
+        all.config.flags = 0;
+        settings.config.aggregates = 1;
+        size_t spread = 0;
+        for (const auto& [ofAggregates, ofSamples] :
+             {std::pair{"s.positionSquares + s.position * s.position", "s.position * s.position"},
+              {"s.positionProducts + s.position.yzx * s.position.zxy", "s.position.yzx * s.position.zxy"},
+              {"vec3(s.depthVariance + z * z)", "vec3(z * z)"}}) {
+            const std::vector<float> aggregates = shown(settings, ofAggregates), samples = shown(all, ofSamples);
+            const std::vector<float> atMeans = shown(settings, ofSamples);
+            for (size_t i = 0; i < samples.size(); ++i) {
+                ASSERT_NEAR(aggregates[i], samples[i], 0.002f * (1 + std::fabs(samples[i])))
+                    << ofAggregates << ' ' << i;
+                spread += std::fabs(aggregates[i] - atMeans[i]) > 0.1f * std::fabs(samples[i]);
+            }
+        }
+        EXPECT_GT(spread, 100u); // edges between surfaces at different depths
+    }
+}
+
 // An attribute of the host that is a copy of another has the same mean, to the rounding of 8 and 16 bits.
 TYPED_TEST_P(ShadingFunctionCases, CustomAttributesAreMeansAsOthers) {
     const AgaaLayout layout = layoutWithVelocity();
@@ -388,7 +442,7 @@ TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
 
 REGISTER_TYPED_TEST_SUITE_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame, ShadowsAreThoseOfTheLibrary,
                             TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent, MasksLeaveHalfOfTheSamples,
-                            MomentsAreThoseOfUnitNormals, CustomAttributesAreMeansAsOthers,
+                            MomentsAreThoseOfUnitNormals, FootprintsAreThoseOfSamples, CustomAttributesAreMeansAsOthers,
                             ResultsAreContainedAndCounted, BadOnesAreRefusedInASentence);
 
 } // namespace agaa::test

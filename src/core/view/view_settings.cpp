@@ -177,8 +177,10 @@ static void readShadingFunction(const AgaaViewDesc& desc, ViewSettings& view) {
 
 // Custom attributes are members of AgaaSurface, too.
 static void checkNamesOfCustoms(const Layout& layout) {
-    static constexpr std::string_view members[] = {"normalLength",   "alpha2Along", "axis",     "positionSpread",
-                                                   "materialAlpha2", "pixel",       "coverage", "shadows"};
+    static constexpr std::string_view members[] = {"normalLength",     "alpha2Along",    "axis",
+                                                   "positionSpread",   "materialAlpha2", "pixel",
+                                                   "coverage",         "shadows",        "positionSquares",
+                                                   "positionProducts", "depthVariance"};
     for (const CustomAttribute& custom : layout.customs)
         if (std::ranges::find(members, custom.name) != std::end(members))
             fail(AGAA_ERROR_LAYOUT,

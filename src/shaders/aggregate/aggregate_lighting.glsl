@@ -49,6 +49,7 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     vec3 mean = vec3(0.0);
     vec3 first = vec3(0.0);
     float squares = 0.0;
+    agaa_beginFootprint();
     float lowest = 0.0;
     float highest = 0.0;
     agaa_Moments depthMoments = agaa_momentsInit(0.0);
@@ -66,6 +67,7 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
         }
         mean += position - first;
         squares += dot(position - first, position - first);
+        agaa_addToFootprint(1.0, position - first);
         if (AGAA_SHADOW_FILTER == AGAA_SHADOW_ALONG_DEPTH) {
             agaa_momentsAdd(depthMoments, position.z);
             lowest = min(lowest, position.z);
@@ -76,6 +78,7 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     }
     mean /= float(count);
     float spread = max(squares / float(count) - dot(mean, mean), 0.0);
+    agaa_endFootprintAroundMean(float(count), mean);
     mean += first;
 #if AGAA_SHADOWS
     uint taps = count;

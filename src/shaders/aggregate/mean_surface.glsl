@@ -12,7 +12,7 @@ agaa_Means agaa_noMeans() {
     m.diffuse = m.specular = m.emissive = m.normal = vec3(0.0);
     m.alpha2 = 0.0;
     m.lengthBound = 1e-6;
-    m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0));
+    m.moments = agaa_SecondMoments(vec3(0.0), vec3(0.0));
 #ifdef AGAA_SHADES_CUSTOM
     for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)
         m.custom[i] = 0.0;
@@ -41,7 +41,7 @@ void agaa_addCustom(inout agaa_Means m, float weight, agaa_Stored v) {
 void agaa_addNormal(inout agaa_Means m, float weight, vec3 normal) {
     m.normal += weight * normal;
     if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean)
-        agaa_addNormalMoments(m.moments, weight, normal);
+        agaa_addSecondMoments(m.moments, weight, normal);
 }
 
 // Adds the attributes of an unwidened surface except the normal.

@@ -10,7 +10,7 @@ struct agaa_Means {
     vec3 normal;       // its length is 1 if all normals agree
     float alpha2;
     float lengthBound; // by which rounding may have shortened the normal
-    agaa_NormalMoments moments; // used by elliptic lobes
+    agaa_SecondMoments moments; // used by elliptic lobes
 #ifdef AGAA_SHADES_CUSTOM        // number of channels of custom attributes, if functions of the host shade with them
     float custom[AGAA_SHADES_CUSTOM];
     float classWeight; // by which the class exceeds the others

@@ -105,6 +105,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     position = agaa_toShadingSpace(
         agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
     agaa_setSpread(agaa_positionSpread + dot(position - mean, position - mean), position);
+    agaa_addToFootprint(1.0, position - mean);
 #endif
     return agaa_shadeMeans(pixel, position, a, mask, agaa_meansOfAggregate(pixel, normals),
                            AGAA_FOLDED_ROUGHNESS != 0u);

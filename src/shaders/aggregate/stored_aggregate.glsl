@@ -45,7 +45,7 @@ uint agaa_summed() { return agaa_aggregateSamples; }
 #endif
 
 // Returns the second moments of the normals. Aggregates have them if AGAA_SPREAD_WORDS is not 0.
-agaa_NormalMoments agaa_storedMoments() {
+agaa_SecondMoments agaa_storedMoments() {
     const uint at = agaa_base + AGAA_WORDS;
     return agaa_momentsOfSums(AGAA_AGGREGATE_WORD(at), AGAA_AGGREGATE_WORD(at + 1u), AGAA_AGGREGATE_WORD(at + 2u),
                               AGAA_AGGREGATE_WORD(at + 3u), AGAA_AGGREGATE_WORD(at + 4u), agaa_aggregateSamples);

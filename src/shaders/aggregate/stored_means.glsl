@@ -11,7 +11,7 @@
 
 agaa_Means agaa_meansOfStored(agaa_Stored v) {
     agaa_Means m;
-    m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // agaa_storedMoments() reads them
+    m.moments = agaa_SecondMoments(vec3(0.0), vec3(0.0)); // agaa_storedMoments() reads them
     m.diffuse = v.diffuse;
 #ifdef AGAA_SHADES_CUSTOM
     for (int i = 0; i < AGAA_SHADES_CUSTOM; ++i)

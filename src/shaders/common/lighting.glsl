@@ -7,6 +7,7 @@
 #error "lighting.glsl needs AGAA_SHADOWS and frame.glsl."
 #endif
 #include "common/camera.glsl"
+#include "common/footprint.glsl"
 #include "math/brdf.glsl"
 #include "math/light.glsl"
 #include "math/ndf.glsl"
@@ -117,7 +118,7 @@ void agaa_setEvent(uvec2 pixel, uvec4 samples) {
 
 #ifdef AGAA_HOST_SHADING
 // The second moments of the normals of an event that is shaded with means, and its alpha squared before it is widened.
-agaa_NormalMoments agaa_eventMoments = agaa_NormalMoments(vec3(0.0), vec3(0.0));
+agaa_SecondMoments agaa_eventMoments = agaa_SecondMoments(vec3(0.0), vec3(0.0));
 float agaa_eventAlpha2 = -1.0; // below 0: the event has no means
 #endif
 

@@ -7,10 +7,10 @@
 #endif
 
 // Returns the moments of normals that spread equally in all directions, and whose mean has this length.
-agaa_NormalMoments agaa_roundMoments(vec3 normal, float meanLength) {
+agaa_SecondMoments agaa_roundMoments(vec3 normal, float meanLength) {
     float along = meanLength * meanLength;
     float across = 0.5 * (1.0 - along);
-    return agaa_NormalMoments(across + (along - across) * normal * normal,
+    return agaa_SecondMoments(across + (along - across) * normal * normal,
                               (along - across) * normal.yzx * normal.zxy);
 }
 
@@ -26,7 +26,7 @@ AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position, bool isPart) {
     surface.alpha2Along = max(s.alpha2Along, s.alpha2);
     surface.axis = s.alpha2Along > s.alpha2 ? s.axis : vec3(0.0);
     bool hasMeans = agaa_eventAlpha2 >= 0.0 && AGAA_HAS_SPECULAR != 0u && !isPart;
-    agaa_NormalMoments moments = agaa_roundMoments(s.normal, s.meanLength);
+    agaa_SecondMoments moments = agaa_roundMoments(s.normal, s.meanLength);
     if (hasMeans && AGAA_NDF >= agaa_ndfLean)
         moments = agaa_eventMoments;
     surface.materialAlpha2 = hasMeans ? agaa_eventAlpha2 : s.alpha2;
@@ -34,6 +34,10 @@ AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position, bool isPart) {
     surface.normalProducts = moments.mixed;
     surface.position = position;
     surface.positionSpread = agaa_positionSpread;
+    vec3 depthAxis = transpose(mat3(agaa_frame.view))[2];
+    surface.positionSquares = agaa_footprint.squares;
+    surface.positionProducts = agaa_footprint.mixed;
+    surface.depthVariance = max(agaa_momentAlong(agaa_footprint, depthAxis, depthAxis), 0.0);
     surface.pixel = agaa_event.pixel;
     surface.samples = agaa_event.samples;
     surface.coverage = agaa_event.coverage;

@@ -28,16 +28,19 @@ agaa_DepthPlane agaa_shownPlane(AGAA_SHOWN shown, uint sampleOf);
 agaa_DepthPlane agaa_shownPlane(agaa_DepthPlane plane, uint sampleOf) { return plane; }
 #endif
 
-// Returns the mean squared distance of four of the samples, evenly chosen, from the position.
+// Returns the mean squared distance of four of the samples, evenly chosen, from the position, and finds their
+// footprint.
 float agaa_spreadOfSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
     uint count = agaa_coverageCount(mask);
     float sum = 0.0;
+    agaa_beginFootprint();
     for (uint j = 0u; j < 4u; ++j) {
         uint sampleOf = agaa_coveredSample(mask, (2u * j + 1u) * count / 8u);
         vec3 away = agaa_surfacePosition(pixel, agaa_shownPlane(shown, sampleOf),
                                          agaa_coveragePosition(sampleOf, AGAA_SAMPLES)) -
                     position;
         sum += dot(away, away);
+        agaa_addToFootprint(0.25, away);
     }
     return sum * 0.25;
 }
@@ -46,7 +49,7 @@ float agaa_spreadOfSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 posit
 // chosen, or at their centroid.
 void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
     agaa_setEvent(pixel, mask);
-    if (!agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS))
+    if (AGAA_HAS_FOOTPRINT != 0 || !agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS))
         agaa_setSpread(agaa_spreadOfSurface(pixel, shown, mask, position), position);
 #if AGAA_SHADOWS
     uint count = agaa_coverageCount(mask);

@@ -15,11 +15,14 @@ vec3 agaa_samplePosition(uvec2 pixel, uint i) {
 void agaa_findSpread(uvec2 pixel, uint i, uint mask) {
     vec3 position = agaa_samplePosition(pixel, i);
     float sum = 0.0;
+    float share = 1.0 / float(max(bitCount(mask), 1));
+    agaa_beginFootprint();
     for (uint rest = mask & ~(1u << i); rest != 0u; rest &= rest - 1u) {
         vec3 away = agaa_samplePosition(pixel, uint(findLSB(rest))) - position;
         sum += dot(away, away);
+        agaa_addToFootprint(share, away);
     }
-    agaa_setSpread(sum / float(max(bitCount(mask), 1)), position);
+    agaa_setSpread(sum * share, position);
 }
 
 // Finds the visibility of all shadowed lights. Shadows end within surfaces, so they are looked up at each of the

@@ -26,7 +26,7 @@ void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_PositionSums
     m.normal += sums.weight * inversesqrt(total) * n;
     if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean) {
         float share = sums.weight / total;
-        agaa_addNormalMoments(m.moments, share, n);
+        agaa_addSecondMoments(m.moments, share, n);
         m.moments.squares += share * squares;
         m.moments.mixed += share * (spread.x * u.yzx * u.zxy + spread.y * v.yzx * v.zxy +
                                     spread.z * (u.yzx * v.zxy + u.zxy * v.yzx));

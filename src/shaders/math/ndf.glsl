@@ -11,6 +11,7 @@
 #include "encoding.glsl"
 #include "real.glsl"
 #include "sanitise.glsl"
+#include "second_moments.glsl"
 
 // Values of AgaaNdf. Lobes are elliptic from agaa_ndfLean on.
 #define agaa_ndfNone 0u
@@ -90,32 +91,13 @@ void agaa_meanDirection(rvec3 sumDir, rvec3 fallback, OUT(rvec3) n, OUT(real) le
     }
 }
 
-// Means of the products of a unit normal's components over the samples of an aggregate.
-struct agaa_NormalMoments {
-    rvec3 squares; // xx, yy, zz
-    rvec3 mixed;   // yz, zx, xy
-};
-
-void agaa_addNormalMoments(INOUT(agaa_NormalMoments) m, real weight, rvec3 n) {
-    m.squares = m.squares + weight * rvec3(n.x * n.x, n.y * n.y, n.z * n.z);
-    m.mixed = m.mixed + weight * rvec3(n.y * n.z, n.z * n.x, n.x * n.y);
-}
-
-// Returns the moment in the directions a and b.
-real agaa_momentAlong(agaa_NormalMoments m, rvec3 a, rvec3 b) {
-    const rvec3 r = rvec3(m.squares.x * b.x + m.mixed.z * b.y + m.mixed.y * b.z,
-                          m.mixed.z * b.x + m.squares.y * b.y + m.mixed.x * b.z,
-                          m.mixed.y * b.x + m.mixed.x * b.y + m.squares.z * b.z);
-    return dot(a, r);
-}
-
 // Widens a lobe in each direction by the spread of normals there. axis receives the widest direction (unit,
 // perpendicular to the mean direction n), along and across receive alpha2 in that direction and perpendicular to it.
 // LEAN mapping (sggx 0) adds twice the variance of slopes, as for a Gaussian in place of GGX. SGGX (sggx 1) adds
 // projected areas. A variance up to `bound` counts as rounding. Second moments do not distinguish a normal from its
 // opposite, but the length of the mean does: below 1/2, normals point in all directions, and the lobe approaches the
 // widest.
-void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real meanLength, real alpha2, uint sggx,
+void agaa_spreadAlpha2(agaa_SecondMoments m, rvec3 n, real meanLength, real alpha2, uint sggx,
                        real bound, OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
     const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
     rvec3 t;

@@ -23,10 +23,10 @@ uint agaa_momentCode(uint moment, rvec3 n) {
 }
 
 // Returns the mean moments from sums of `count` codes. count must be > 0.
-agaa_NormalMoments agaa_momentsOfSums(uint xx, uint yy, uint yz, uint zx, uint xy, uint count) {
+agaa_SecondMoments agaa_momentsOfSums(uint xx, uint yy, uint yz, uint zx, uint xy, uint count) {
     const real x = agaa_meanOfSum(xx, count, AGAA_MOMENT_BITS);
     const real y = agaa_meanOfSum(yy, count, AGAA_MOMENT_BITS);
-    return agaa_NormalMoments(rvec3(x, y, max(real(1.0) - x - y, real(0.0))),
+    return agaa_SecondMoments(rvec3(x, y, max(real(1.0) - x - y, real(0.0))),
                               rvec3(agaa_signedMeanOfSum(yz, count, AGAA_MOMENT_BITS),
                                     agaa_signedMeanOfSum(zx, count, AGAA_MOMENT_BITS),
                                     agaa_signedMeanOfSum(xy, count, AGAA_MOMENT_BITS)));

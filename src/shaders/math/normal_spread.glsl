@@ -29,7 +29,7 @@ rvec3 agaa_mixedProducts(rvec3 a, rvec3 b) {
 
 // Adds the moments of a spread. The remainder of the moments in the tangent plane is along the normal, because the
 // squares of a unit vector's components sum to 1.
-void agaa_addSpread(INOUT(agaa_NormalMoments) m, real weight, agaa_NormalSpread s) {
+void agaa_addSpread(INOUT(agaa_SecondMoments) m, real weight, agaa_NormalSpread s) {
     rvec3 t;
     rvec3 b;
     agaa_spreadBasis(s.normal, t, b);
@@ -47,7 +47,7 @@ void agaa_addSpread(INOUT(agaa_NormalMoments) m, real weight, agaa_NormalSpread 
 // share    Share of b, [0, 1].
 // normal   Direction of the mean of both, or another direction that the result is relative to.
 agaa_NormalSpread agaa_mixSpreads(agaa_NormalSpread a, agaa_NormalSpread b, real share, rvec3 normal) {
-    agaa_NormalMoments m = agaa_NormalMoments(rvec3(real(0.0)), rvec3(real(0.0)));
+    agaa_SecondMoments m = agaa_SecondMoments(rvec3(real(0.0)), rvec3(real(0.0)));
     agaa_addSpread(m, real(1.0) - share, a);
     agaa_addSpread(m, share, b);
     rvec3 t;
@@ -80,7 +80,7 @@ agaa_NormalSpread agaa_spreadOfChange(rvec3 normal, rvec3 dx, rvec3 dy, rvec3 po
 // Widens a lobe like agaa_spreadAlpha2().
 void agaa_widenBySpread(agaa_NormalSpread s, real alpha2, uint sggx, OUT(rvec3) axis, OUT(real) along,
                         OUT(real) across) {
-    agaa_NormalMoments m = agaa_NormalMoments(rvec3(real(0.0)), rvec3(real(0.0)));
+    agaa_SecondMoments m = agaa_SecondMoments(rvec3(real(0.0)), rvec3(real(0.0)));
     agaa_addSpread(m, real(1.0), s);
     agaa_spreadAlpha2(m, s.normal, s.meanLength, alpha2, sggx, real(0.0), axis, along, across);
 }
