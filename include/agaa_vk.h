@@ -273,7 +273,9 @@ AGAA_API void AGAA_CALL agaaInitVkFrame(AgaaVkFrame* outFrame, size_t structSize
 
 /* Images for AgaaResolvedOutputs. Chain it to AgaaVkFrame. The shading segment of such a view needs it. Each image is
  * as AgaaVkFrame::outputImage, with its size or larger, in a float or normalised format whose storage view can be
- * written without a format. R32_SFLOAT keeps depths. Elements beyond the number of outputs are not read. */
+ * written without a format. R32_SFLOAT keeps depths. Elements beyond the number of outputs are not read. The SDK checks
+ * what the host says of the images: a frame that ends outside them fails with AGAA_ERROR_OUT_OF_RANGE, and a format of
+ * integers, of depth or of compressed blocks with AGAA_ERROR_UNSUPPORTED. */
 typedef struct AgaaVkResolvedImages {
     uint32_t sType;
     uint32_t structSize;
@@ -283,12 +285,14 @@ typedef struct AgaaVkResolvedImages {
     uint32_t layoutsIn[AGAA_MAX_RESOLVED_OUTPUTS];  /* VkImageLayout; the contents are lost except around the frame */
     uint32_t layoutsOut[AGAA_MAX_RESOLVED_OUTPUTS]; /* VkImageLayout that the SDK leaves, visible to all later commands;
                                                        not UNDEFINED and not PREINITIALIZED */
+    uint32_t width, height;                         /* of all images in texels; 0: not said */
+    uint32_t formats[AGAA_MAX_RESOLVED_OUTPUTS];    /* VkFormat; 0: not said */
 } AgaaVkResolvedImages;
 #define AGAA_VK_RESOLVED_IMAGES_INIT                                                                                   \
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_VK_RESOLVED_IMAGES, (uint32_t)sizeof(AgaaVkResolvedImages), NULL, {0, 0, 0, 0, 0, 0},      \
-            {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {                                                                  \
-            1, 1, 1, 1, 1, 1                                                                                           \
+            {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {1, 1, 1, 1, 1, 1}, 0, 0, {                                        \
+            0, 0, 0, 0, 0, 0                                                                                           \
         }                                                                                                              \
     }
 AGAA_API void AGAA_CALL agaaInitVkResolvedImages(AgaaVkResolvedImages* outImages, size_t structSize);

@@ -43,8 +43,9 @@ typedef struct AgaaResolvedOutput {
  * the host: AgaaVkResolvedImages or AgaaGlResolvedTextures, chained to AgaaVkFrame or AgaaGlFrame. A depth or coverage
  * of a view with a depth buffer costs this pass. Other values take memory where samples are not in a G-buffer: the
  * surface "resolved-sums" and, for CUSTOM in "dcaa" and "sbaa", the attributes of each surface. For NORMAL and CUSTOM,
- * the prepass of "msaa" is that of a G-buffer. With AGAA_CONFIG_ACCUMULATE, the values are those of the frame, not of
- * the accumulated image. On Vulkan, maxPerStageDescriptorStorageImages of the device bounds them. */
+ * the prepass of "msaa" evaluates materials and writes these attributes of each sample. With AGAA_CONFIG_ACCUMULATE,
+ * the values are those of the frame, not of the accumulated image. On Vulkan, more outputs than
+ * maxPerStageDescriptorStorageImages of the device fail with AGAA_ERROR_UNSUPPORTED. */
 typedef struct AgaaResolvedOutputs {
     uint32_t sType;
     uint32_t structSize;

@@ -15,7 +15,7 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
                 AGAA_ERROR_INVALID_ARGUMENT, "AgaaVkFrame::functionSet is null.");
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return;
-    outputs_ = outputImages(plan, vkFrame);
+    outputs_ = outputImages(plan, frame, vkFrame);
     checkComposite(frame, plan);
     require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over an output whose contents outputLayoutIn throws away.");

@@ -17,6 +17,6 @@ struct OutputImage {
 using OutputImages = std::array<OutputImage, 1 + AGAA_MAX_RESOLVED_OUTPUTS>;
 
 // Returns the images of a frame that shades. Throws Error if one that the plan writes is missing or not valid.
-OutputImages outputImages(const Plan& plan, const AgaaVkFrame& frame);
+OutputImages outputImages(const Plan& plan, const AgaaFrame& frame, const AgaaVkFrame& vkFrame);
 
 } // namespace agaa::vk

@@ -20,7 +20,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaLayout, 752);
     EXPECT_SIZE(AgaaConfig, 80);
     EXPECT_SIZE(AgaaAggregation, 40);
-    EXPECT_SIZE(AgaaMeasurement, 40);
+    EXPECT_SIZE(AgaaMeasurement, 48);
     EXPECT_SIZE(AgaaSceneFacts, 40);
     EXPECT_SIZE(AgaaViewDesc, 48);
     EXPECT_SIZE(AgaaDrawPass, 152);
@@ -52,7 +52,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaVkDrawPass, 72);
     EXPECT_SIZE(AgaaVkSurface, 56);
     EXPECT_SIZE(AgaaVkFrame, 88);
-    EXPECT_SIZE(AgaaVkResolvedImages, 160);
+    EXPECT_SIZE(AgaaVkResolvedImages, 192);
     EXPECT_SIZE(AgaaGlRequirements, 56);
     EXPECT_SIZE(AgaaGlDeviceDesc, 144);
     EXPECT_SIZE(AgaaGlDrawPass, 56);

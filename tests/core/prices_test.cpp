@@ -28,11 +28,15 @@ struct Host {
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
     AgaaDeviceCaps caps = fourSampleDevice();
-    bool fetches = false;
+    AgaaResolvedOutputs outputs = AGAA_RESOLVED_OUTPUTS_INIT;
+    bool fetches = false, resolves = false;
 
     explicit Host(const char* technique, uint32_t samples = 8, uint32_t generationTier = AGAA_TIER_AUTO,
                   bool hasFetch = false)
         : fetches(hasFetch) {
+        outputs.count = 2;
+        outputs.outputs[0].value = AGAA_RESOLVED_MEAN_DEPTH;
+        outputs.outputs[1].value = AGAA_RESOLVED_NORMAL;
         config.technique = technique;
         config.samples = findTechnique(techniques(), technique)->maxSamples ? samples : 64;
         config.generationTier = generationTier;
@@ -45,7 +49,8 @@ struct Host {
     const AgaaViewDesc* view() {
         desc.config = &config;
         desc.facts = &facts;
-        desc.pNext = fetches ? &fetch : nullptr;
+        outputs.pNext = fetches ? &fetch : nullptr;
+        desc.pNext = resolves ? &outputs : outputs.pNext;
         return &desc;
     }
 };
@@ -167,6 +172,8 @@ const std::map<std::string, Switch>& switches() {
         {"shadow-filter", unless(AGAA_MEASURE_NO_SHADOW_FILTER)},
         {"lit-aggregates", [](Host& h, bool on) { h.config.aggregation.litShadows = on; }},
         {"filtered-diffuse", unless(AGAA_MEASURE_NO_DIFFUSE_FILTER)},
+        {"light-directions",
+         [](Host& h, bool on) { setFlag(h.config.measurement.flags, AGAA_MEASURE_LIGHT_DIRECTIONS, on); }},
         {"ndf-widening", [](Host& h, bool on) { h.config.ndf = on ? AGAA_NDF_TOKSVIG : AGAA_NDF_NONE; }},
         {"elliptic-lobes", [](Host& h, bool on) { h.config.ndf = on ? AGAA_NDF_LEAN : AGAA_NDF_TOKSVIG; }},
         {"gloss-weight", [](Host& h, bool on) { h.config.aggregation.glossWeight = on ? 0.5f : 0.0f; }},
@@ -174,6 +181,7 @@ const std::map<std::string, Switch>& switches() {
         {"fine-materials", option(AGAA_CONFIG_FINE_MATERIALS)},
         {"unfetched-draws", [](Host& h, bool on) { setFlag(h.fetch.flags, AGAA_FETCH_NOT_ALL_DRAWS, on); }},
         {"hdr-resolve", option(AGAA_CONFIG_HDR_RESOLVE)},
+        {"resolved-outputs", [](Host& h, bool on) { h.resolves = on; }},
         {"composite", [](Host& h, bool on) { setFlag(h.desc.flags, AGAA_VIEW_COMPOSITE, on); }},
         {"counters", option(AGAA_CONFIG_COUNTERS)},
         {"fact-checks", option(AGAA_CONFIG_CHECK_FACTS)},
@@ -397,6 +405,8 @@ TEST(Prices, WorkHasTheBoundsOfTheTechnique) {
     lit.config.measurement.flags = AGAA_MEASURE_SHADOW_ALONG_DEPTH;
     EXPECT_EQ(pricesOf(lit)["view"].maxShadowTapsPerEvent, 2 * 4);
     EXPECT_EQ(pricesOf(lit)["shadow-filter"].maxShadowTapsPerEvent, 2 * (4 - 1));
+    lit.config.measurement.flags = AGAA_MEASURE_SHADOW_COVARIANCE;
+    EXPECT_EQ(pricesOf(lit)["view"].maxShadowTapsPerEvent, 2 * 4);
     Host exact("dcaa");
     exact.config.coverage.flags = AGAA_COVERAGE_EXACT;
     EXPECT_EQ(pricesOf(exact)["view"].maxEventsPerPixel, 64);

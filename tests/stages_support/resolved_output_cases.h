@@ -159,6 +159,25 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
         for (size_t i = 0; i < size_t(extent.x) * extent.y; ++i) {
             const glm::uvec2 at = {i % extent.x, i / extent.x};
             const bool hasGround = at.x < extent.x / 2;
+            // The panel's share by the places of samples, where the view tells them.
+            const auto& places = host.bench->view().positions();
+            if (tier.n > 1 && tier.n <= 32 && places.size() >= tier.n) {
+                uint32_t inside = 0;
+                for (uint32_t s = 0; s < tier.n; ++s) {
+                    const glm::vec2 place = glm::vec2(at) + glm::vec2(places[s].x, places[s].y);
+                    inside += place.x > 4.3f && place.y > 3.4f && place.x < float(extent.x) - 4.4f &&
+                              place.y < float(extent.y) - 3.3f;
+                }
+                const double expected = double(inside) / tier.n;
+                const double behindIt = hasGround ? expected + (1 - expected) : expected;
+                compare("coverage by places", values[2][i].x, behindIt, 1e-6, i);
+                compare("mean depth by places", values[1][i].x,
+                        behindIt > 0 ? (expected * depthOf(Cases::panelDepth) +
+                                        (hasGround ? 1 - expected : 0) * depthOf(Cases::groundDepth)) /
+                                           behindIt
+                                     : depthOf(1),
+                        1e-6, i);
+            }
             const double behind = hasGround ? double(groundLight) : double(Cases::background);
             const bool isInside = at.x >= 4 && at.x <= extent.x - 5 && at.y >= 3 && at.y <= extent.y - 4; // its centre
             const double share =

@@ -45,6 +45,7 @@ template <uint32_t index> constexpr Effect shadowMap(const char* name, const cha
                 [](ViewSettings& view, bool on) {
                     view.facts.shadowMapCount = on ? index + 1 : index;
                     view.functionShadows &= (1u << view.facts.shadowMapCount) - 1;
+                    view.footprintShadows &= view.functionShadows;
                 }};
 }
 
@@ -85,6 +86,8 @@ constexpr Effect table[] = {
      .set = [](ViewSettings& view, bool on) { setStrength(view.aggregation.litShadows, on, 1u); }},
     usual<AGAA_MEASURE_NO_DIFFUSE_FILTER>("filtered-diffuse",
                                           "Normals differ within an aggregate of a diffuse surface."),
+    flagEffect<&ViewSettings::measurement, AGAA_MEASURE_LIGHT_DIRECTIONS>(
+        "light-directions", "Lights are nearer than the surfaces of an aggregate are to each other."),
     {.name = "ndf-widening",
      .need = "Normals differ within an aggregate of a glossy surface.",
      .isOn = [](const ViewSettings& view) { return view.config.ndf != AGAA_NDF_NONE; },
@@ -109,6 +112,16 @@ constexpr Effect table[] = {
      .isOn = [](const ViewSettings& view) { return view.someUnfetched; },
      .set = [](ViewSettings& view, bool on) { view.someUnfetched = on && view.maxDraws > 0; }},
     option<AGAA_CONFIG_HDR_RESOLVE>("hdr-resolve", "Surfaces of very different brightness share a pixel."),
+    {.name = "resolved-outputs",
+     .need = "Passes after the image read the depth, normal or coverage of pixels.",
+     .isOn = [](const ViewSettings& view) { return !view.resolvedOutputs.empty(); },
+     .set =
+         [](ViewSettings& view, bool on) {
+             if (!on)
+                 view.resolvedOutputs.clear();
+             else if (view.resolvedOutputs.empty())
+                 view.resolvedOutputs = {{.value = AGAA_RESOLVED_MEAN_DEPTH}, {.value = AGAA_RESOLVED_NORMAL}};
+         }},
     {.name = "composite",
      .need = "Frames are drawn over an image that exists.",
      .isOn = [](const ViewSettings& view) { return view.composite; },

@@ -1,6 +1,8 @@
 // AgaaResolvedOutputs: values of whole pixels, and images that frames refuse.
 #include "cases.h"
+#include "creation.h"
 #include "frame_rig.h"
+#include "vk_interposer.h"
 
 #include "cases/core/structs.h"
 
@@ -129,6 +131,53 @@ void testLayouts(Test& test) {
                         changed([](AgaaVkResolvedImages& x) { x.layoutsOut[0] = 8; }, noTextures)}});
 }
 
+// Sizes that the host says its images have are checked.
+void testTold(Test& test) {
+    const auto noTextures = [](AgaaGlResolvedTextures&) {};
+    const auto sized = [&](uint32_t width, uint32_t height) {
+        return changed(
+            [=](AgaaVkResolvedImages& x) {
+                x.width = width;
+                x.height = height;
+            },
+            noTextures);
+    };
+    testRefused(test, {{AGAA_ERROR_OUT_OF_RANGE, "images of width 1", "width", sized(1, 0)},
+                       {AGAA_ERROR_OUT_OF_RANGE, "images of height 1", "height", sized(0, 1)}});
+}
+
+void testFormats(Test& test) {
+    constexpr uint32_t rgba8Uint = 41, d32 = 126, bc1 = 131; // of VkFormat
+    std::vector<Refused> rows;
+    for (const uint32_t texels : {rgba8Uint, d32, bc1, 0x7FFFFFFFu})
+        rows.push_back(
+            {AGAA_ERROR_UNSUPPORTED, "a format of no floats", "formats[1]",
+             changed([=](AgaaVkResolvedImages& x) { x.formats[1] = texels; }, [](AgaaGlResolvedTextures&) {})});
+    testRefused(test, rows);
+}
+
+// A device that lets a shader have few images refuses the view.
+void testFewImages(Test& test) {
+    VulkanInterposer vulkan;
+    vulkan.changeProperties = [](VkPhysicalDeviceProperties& p) { p.limits.maxPerStageDescriptorStorageImages = 2; };
+    AgaaResolvedOutputs outputs =
+        outputsOf({AGAA_RESOLVED_NEAREST_DEPTH, AGAA_RESOLVED_COVERAGE, AGAA_RESOLVED_MEAN_DEPTH});
+    ScopedContext context(test, [](ContextDescription& d) { d.vk.getProcAddr = VulkanInterposer::getProcAddr; });
+    for (const uint32_t count : {2u, 3u}) {
+        outputs.count = count;
+        ViewDescription d(&test.device());
+        outputs.pNext = d.desc.pNext;
+        d.desc.pNext = &outputs;
+        AgaaView view = nullptr;
+        const AgaaResult result = test.device().createView(test.sdk, context.get(), &d.desc, &view);
+        if (count == 2)
+            test.requireOk(result, "agaaVkCreateView with two outputs");
+        else
+            test.check(result == AGAA_ERROR_UNSUPPORTED, "three outputs on a device of two images are accepted.");
+        test.sdk.agaaDestroyView(view);
+    }
+}
+
 void testReserved(Test& test) {
     if (!isSameVersion(test))
         test.skip("a later library may give the member a meaning.");
@@ -144,6 +193,9 @@ void addResolvedOutputCases(Suite& suite) {
     suite.add("general/resolved_outputs_of_whole_pixels", both, testValues);
     addRecordCase(suite, "AGAA_ERROR_INVALID_ARGUMENT/resolved_outputs", testInvalid);
     suite.add("AgaaVkResolvedImages.layoutsOut/AGAA_ERROR_OUT_OF_RANGE", vk, testLayouts);
+    suite.add("AgaaVkResolvedImages/AGAA_ERROR_OUT_OF_RANGE", vk, testTold);
+    suite.add("AgaaVkResolvedImages/AGAA_ERROR_UNSUPPORTED", vk, testFormats);
+    suite.add("AgaaResolvedOutputs/AGAA_ERROR_UNSUPPORTED", vk, testFewImages);
     suite.add("AgaaGlResolvedTextures.reserved/zero", gl, testReserved);
 }
 

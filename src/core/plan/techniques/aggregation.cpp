@@ -36,17 +36,25 @@ const TechniqueSettings aggregationSettings = {.sType = AGAA_STRUCTURE_TYPE_AGGR
 
 ShadingWork workOfAggregates(const ViewSettings& view) { return {view.aggregates, view.samples}; }
 
-Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format, SampleContent content) {
-    const Prepass s{b.depth(stencil), b.image(name, format, true)};
+Prepass drawDepthPrepass(PlanBuilder& b, bool stencil) {
+    const Prepass s{b.depth(stencil)};
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY, AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
-    prepass.draw().sampleContent = content;
     prepass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     prepass.draw().state.depthWrite = 1;
-    prepass.draw().state.colorAttachmentCount = 1;
-    prepass.draw().colorTargets = {s.values};
     prepass.draw().depthTarget = s.depth;
-    prepass.draw().clearsColor = prepass.draw().clearsDepth = true;
+    prepass.draw().clearsDepth = true;
+    return s;
+}
+
+Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format, SampleContent content) {
+    Prepass s = drawDepthPrepass(b, stencil);
+    s.values = b.image(name, format, true);
+    DrawPart& draw = b.plan.passes.back().draw();
+    draw.sampleContent = content;
+    draw.state.colorAttachmentCount = 1;
+    draw.colorTargets = {s.values};
+    draw.clearsColor = true;
     return s;
 }
 

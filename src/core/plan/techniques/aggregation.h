@@ -16,6 +16,8 @@ struct Prepass {
     ResourceId depth = noResource;
     ResourceId values = noResource; // normals or ids by which samples are distinguished; 0 where there is no geometry
 };
+// Draws the depth of every sample.
+Prepass drawDepthPrepass(PlanBuilder& b, bool stencil);
 // Draws the depth and the value of every sample.
 Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name = "normals", Format format = Format::RG8,
                     SampleContent content = SampleContent::Normal);

@@ -7,8 +7,8 @@ namespace agaa {
 namespace {
 
 // Adds a draw into new attachments, which it clears, with the depth of `g`.
-Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
-    g.packing = packGBuffer(b.view().layout);
+Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const Layout& layout, const char* name) {
+    g.packing = packGBuffer(layout);
     for (size_t i = 0; i < g.packing.attachments.size(); ++i)
         g.attachments.push_back(b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
     Pass& pass = b.hostDraw(name, AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_PREPASS);
@@ -21,29 +21,46 @@ Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
     return pass;
 }
 
+Pass& drawFirst(PlanBuilder& b, GBuffer& g, const Layout& layout, bool needsStencil) {
+    g.depth = b.depth(needsStencil);
+    Pass& pass = drawGBuffer(b, g, layout, "gbuffer");
+    pass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    pass.draw().state.depthWrite = 1;
+    pass.draw().clearsDepth = true;
+    b.bindSceneSamples = [&b, g](Pass& reader) { g.bind(b, reader); };
+    return pass;
+}
+
 } // namespace
 
-GBuffer makeGBuffer(PlanBuilder& b, bool needsStencil) {
+GBuffer makeGBuffer(PlanBuilder& b) {
     GBuffer g;
     if (b.view().hostGBuffer) {
         g.packing = packGBuffer(b.view().layout);
         b.bindSceneSamples = [&b, g](Pass& pass) { g.bind(b, pass); };
         return g;
     }
-    g.depth = b.depth(needsStencil);
-    Pass& pass = drawGBuffer(b, g, "gbuffer");
-    pass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    pass.draw().state.depthWrite = 1;
-    pass.draw().clearsDepth = true;
+    drawFirst(b, g, b.view().layout, false);
     b.sceneAttachments = g.attachments;
-    b.bindSceneSamples = [&b, g](Pass& pass) { g.bind(b, pass); };
+    return g;
+}
+
+GBuffer drawNormalsAndDepth(PlanBuilder& b) {
+    Layout layout = b.view().layout;
+    for (const AgaaSemantic dropped :
+         {AGAA_SEMANTIC_DIFFUSE, AGAA_SEMANTIC_SPECULAR, AGAA_SEMANTIC_ROUGHNESS, AGAA_SEMANTIC_EMISSIVE})
+        layout.attributes[dropped] = {};
+    GBuffer g;
+    Pass& pass = drawFirst(b, g, layout, b.wantsStencil());
+    pass.constants[AGAA_COUNTERS] = pass.constants[AGAA_CHECK_FACTS] = 0;
+    std::erase_if(pass.bindings, [](const Binding& binding) { return binding.slot == host_slot::Counters; });
     return g;
 }
 
 GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth) {
     GBuffer g;
     g.depth = depth;
-    Pass& pass = drawGBuffer(b, g, "gbuffer of unfetched draws");
+    Pass& pass = drawGBuffer(b, g, b.view().layout, "gbuffer of unfetched draws");
     pass.draw().state.depthCompare = AGAA_COMPARE_EQUAL;
     // The first pass shows the first of equal depths. Masks apply before this stencil test, because the shader's depth
     // and stencil tests are late. The test therefore includes masked materials.

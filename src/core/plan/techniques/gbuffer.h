@@ -24,8 +24,10 @@ struct GBuffer {
 // the depth takes its place, so that the memory of the image is free.
 void bindGeometryMask(PlanBuilder& b, Pass& pass, ResourceId mask, ResourceId depth);
 
-// needsStencil   A later draw pass tests the stencil of its depth.
-GBuffer makeGBuffer(PlanBuilder& b, bool needsStencil = false);
+GBuffer makeGBuffer(PlanBuilder& b);
+// Draws normals and custom attributes of samples in place of a depth prepass, whose fragments no counter counts. A
+// later draw pass tests the stencil of the depth.
+GBuffer drawNormalsAndDepth(PlanBuilder& b);
 // Draws a G-buffer at depths that equal those of an earlier pass.
 GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth);
 

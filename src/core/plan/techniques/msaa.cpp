@@ -2,6 +2,7 @@
 // prepass avoids the shading of hidden fragments.
 #include "core/plan/plan_builder.h"
 #include "core/plan/resolved_outputs.h"
+#include "core/plan/techniques/aggregation.h"
 #include "core/plan/techniques/gbuffer.h"
 #include "core/plan/techniques/techniques.h"
 
@@ -9,15 +10,9 @@ namespace agaa {
 
 // Adds the prepass. Returns its depth.
 static ResourceId drawDepth(PlanBuilder& b) {
-    if (resolvesSurfaces(b)) // The prepass is that of a G-buffer, because the forward pass keeps colours only.
-        return makeGBuffer(b, b.wantsStencil()).depth;
-    Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY, AGAA_SEGMENT_PREPASS);
-    b.bindCommon(prepass);
-    prepass.draw().state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    prepass.draw().state.depthWrite = 1;
-    prepass.draw().depthTarget = b.depth(b.wantsStencil());
-    prepass.draw().clearsDepth = true;
-    return prepass.draw().depthTarget;
+    if (resolvesSurfaces(b)) // the forward pass keeps colours only
+        return drawNormalsAndDepth(b).depth;
+    return drawDepthPrepass(b, b.wantsStencil()).depth;
 }
 
 static void build(PlanBuilder& b) {
