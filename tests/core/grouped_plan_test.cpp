@@ -107,6 +107,24 @@ TEST(GroupedPlan, AggregatesKeepMomentsForEllipticLobes) {
     }
 }
 
+// AGAA 3.2: the paper's smallest row.
+TEST(GroupedPlan, OneAggregateKeepsNoNormalsOfSamples) {
+    const auto bytes = [](uint32_t aggregates, uint64_t flags, bool reversedZ) {
+        ViewSpec spec;
+        spec.generationTier = AGAA_TIER_PER_SAMPLE;
+        spec.aggregates = aggregates;
+        spec.configFlags = flags;
+        spec.viewFlags = reversedZ ? AGAA_VIEW_REVERSED_Z : 0;
+        uint64_t normals = 0;
+        for (const Resource& resource : planFor(spec, fourSampleDevice()).resources)
+            normals += resource.name == "normals" ? resource.bytes : 0;
+        return normals;
+    };
+    EXPECT_EQ(bytes(1, 0, true), 0u);
+    for (const uint64_t some : {bytes(2, 0, true), bytes(1, AGAA_CONFIG_COUNTERS, true), bytes(1, 0, false)})
+        EXPECT_EQ(some, 640u * 360u * 8u * 2u);
+}
+
 TEST(GroupedPlan, EllipticLobesPreferEachNormal) {
     for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
         ViewSpec spec;

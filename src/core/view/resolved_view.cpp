@@ -90,7 +90,8 @@ void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const 
 // The aggregates in memory that two geometry passes fill.
 uint64_t aggregateBytes(const ResolvedView& view) {
     const uint64_t moments = view.config.ndf > AGAA_NDF_TOKSVIG ? AGAA_MOMENT_WORDS : 0;
-    const uint64_t words = packAggregate(twoPassLayout(view.layout, view.facts.flags), view.samples).words + moments;
+    const Layout layout = view.needsSampleNormals() ? twoPassLayout(view.layout, view.facts.flags) : view.layout;
+    const uint64_t words = packAggregate(layout, view.samples).words + moments;
     return checkedMultiply(uint64_t(view.width) * view.height, 4 * words * view.aggregates + view.claimBytes());
 }
 

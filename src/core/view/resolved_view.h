@@ -28,6 +28,9 @@ struct ResolvedView : ViewSettings {
     bool isModel() const { return generation && generation->isModel; }         // it is priced and never run
     bool accumulates() const { return config.flags & AGAA_CONFIG_ACCUMULATE; } // frames
     bool hasCounters() const { return config.flags & AGAA_CONFIG_COUNTERS; }
+    // Returns whether two geometry passes need the normals of samples: to group them, to count samples with geometry,
+    // and to know fragments at the far plane, which a reversed depth has not.
+    bool needsSampleNormals() const { return aggregates > 1 || hasCounters() || !reversedZ; }
     // Bytes per pixel, besides the aggregates in memory, that record which samples have an aggregate. Two geometry
     // passes need them if a sample may go to any aggregate.
     uint64_t claimBytes() const { return measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -253,6 +254,38 @@ TEST(Shading, AgreesForATurnedView) {
     const glm::mat4 turn(glm::mat3(c, s * 0.6f, s * 0.8f, 0, 0.8f, -0.6f, -s, c * 0.6f, c * 0.8f));
     for (uint64_t flags : {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH})
         expectOracle({.flags = flags, .view = turn}, scene(34));
+}
+
+// AGAA 3.2: nothing is clustered, so that no pass reads normals of samples. Those that counters need show the same.
+TEST(Shading, OneAggregateNeedsNoNormalsOfSamples) {
+    StageContext context;
+    for (const uint32_t tier : {AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE}) {
+        std::vector<float> images[2];
+        for (const bool counts : {true, false}) {
+            ViewSettings settings;
+            settings.config.technique = "agaa";
+            settings.config.aggregates = 1;
+            settings.config.generationTier = tier;
+            settings.config.flags = counts ? AGAA_CONFIG_COUNTERS : 0;
+            settings.facts.shadowMapCount = 0;
+            settings.flags = AGAA_VIEW_REVERSED_Z;
+            settings.projection = reversedInfinite(60, 1.5f, 0.1f);
+            StageView view(context, settings);
+            const auto& resources = view.plan().resources;
+            const bool hasNormals =
+                std::ranges::any_of(resources, [](const Resource& resource) { return resource.name == "normals"; });
+            EXPECT_EQ(hasNormals, counts);
+            view.setTriangles(scene(36));
+            const auto list = lights(false);
+            AgaaFrame frame = view.frame();
+            frame.lights = list.data();
+            frame.lightCount = uint32_t(list.size());
+            view.render(frame, [](AgaaVkFrame&) {});
+            images[counts] = view.image().rgb;
+        }
+        EXPECT_EQ(images[0], images[1]) << agaaTierName(tier);
+        EXPECT_GT(*std::ranges::max_element(images[0]), 0.1f);
+    }
 }
 
 } // namespace

@@ -86,7 +86,8 @@ void build(PlanBuilder& b) {
     if ((byIds || fromGBuffer) && !(b.view().config.flags & AGAA_CONFIG_BUFFERED))
         return byIds ? shadeFromIds(b) : shadeFromGBuffer(b);
     Aggregation sums;
-    sums.layout = byIds || fromGBuffer ? b.view().layout : twoPassLayout(b.view().layout, b.view().facts.flags);
+    const bool hasSampleNormals = !byIds && !fromGBuffer && b.view().needsSampleNormals();
+    sums.layout = hasSampleNormals ? twoPassLayout(b.view().layout, b.view().facts.flags) : b.view().layout;
     sums.packing = packAggregate(sums.layout, b.view().samples);
     sums.spreadWords = b.view().config.ndf > AGAA_NDF_TOKSVIG ? AGAA_MOMENT_WORDS : 0;
     sums.stride = sums.packing.words + sums.spreadWords;

@@ -114,7 +114,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
         b.bind(pass, host_slot::Metadata, BindingType::Texture, metadata);
     // Fragments at the far plane equal the cleared depth, although the prepass does not show them. The normals
     // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself.
-    if (!a.represented && !b.view().reversedZ)
+    if (!a.represented && !b.view().reversedZ && prepass.values != noResource)
         b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.values);
     b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.view().hwSamples > 1)
@@ -142,7 +142,9 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
 void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     // The class is beside the normal.
     const Format values = a.packing.classWord && !a.represented ? Format::RGBA8 : Format::RG8;
-    const Prepass prepass = drawPrepass(b, b.wantsStencil(), "normals", values);
+    const Prepass prepass = a.represented || b.view().needsSampleNormals()
+                                ? drawPrepass(b, b.wantsStencil(), "normals", values)
+                                : drawDepthPrepass(b, b.wantsStencil());
     const ResourceId aggregates = aggregateBuffer(b, a, b.view().claimBytes());
     const ResourceId metadata = a.define(
         [&](Pass& pass) {
