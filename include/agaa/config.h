@@ -49,7 +49,7 @@ typedef enum AgaaFilter {
      * aggregates to the classes of a pixel's 32 largest fragments. With two geometry passes, the shaders of the
      * visibility pass set the attribute, too (AGAA_NEEDS_MATERIAL is 1). In other techniques, surfaces of several
      * classes may be shaded together: as the class of the sample that represents them or, in "dcaa", of the larger
-     * part at each merge. agaaApplyPreset() selects one more aggregate. */
+     * part at each merge. agaaApplyPreset() selects one more aggregate, up to 4. */
     AGAA_FILTER_CLASS = 3,
     AGAA_FILTER_MAX_ENUM = 0x7FFFFFFF
 } AgaaFilter;
@@ -399,6 +399,12 @@ typedef enum AgaaLanes {
 /* AGAA 3.5.3: shadow taps along the view ray by the variance of depth, within the depths of the samples. The tier
  * FRAGMENTS takes taps at samples instead. */
 #define AGAA_MEASURE_SHADOW_ALONG_DEPTH UINT64_C(0x04)
+/* AGAA 3.5.3: four shadow taps along the longest axis of the covariance of positions. Excludes SHADOW_ALONG_DEPTH and
+ * NO_SHADOW_FILTER (AGAA_ERROR_INVALID_ARGUMENT). The tier FRAGMENTS takes taps at samples instead. */
+#define AGAA_MEASURE_SHADOW_COVARIANCE UINT64_C(0x80)
+/* AGAA 3.5.2: point and spot lights widen the lobes of aggregates by the variance of their directions over the
+ * positions of the samples. Other techniques widen those of events that stand for several samples. */
+#define AGAA_MEASURE_LIGHT_DIRECTIONS UINT64_C(0x40)
 /* Disable the stencil test. At equal depth, the result depends on the order of fragments and is not repeatable. */
 #define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08)
 /* AGAA algorithm 2, step 2 (c): a fragment goes to the aggregate of its first sample. 4 bytes per pixel more. */
@@ -408,22 +414,38 @@ typedef enum AgaaLanes {
  * evaluated there. */
 #define AGAA_MEASURE_NO_LIGHT_CULLING UINT64_C(0x20)
 
+/* How "agaa" filters the diffuse term by the spread of normals (AGAA 3.5.2). Other techniques do not use it. */
+typedef enum AgaaDiffuseFilter {
+    AGAA_DIFFUSE_RECTIFIED = 0,    /* closed form that approximates the mean of max(n.l, 0) over Toksvig's round
+                                      distribution */
+    AGAA_DIFFUSE_MISES_FISHER = 1, /* that mean over a von Mises-Fisher distribution with the same mean length. The
+                                      paper uses a formula of Baker and Hill 2012, whose slides do not print it */
+    AGAA_DIFFUSE_SGGX = 2,         /* mean of 8 normals of the SGGX distribution that face the eye (Heitz et al. 2015).
+                                      Aggregates in memory have 20 bytes more. Excludes litShadows and the tier
+                                      NV_MIXED_SAMPLES, and with layouts of folded roughness requires the tier
+                                      FRAGMENTS, or IDS or GBUFFER without AGAA_CONFIG_BUFFERED
+                                      (AGAA_ERROR_UNSUPPORTED) */
+    AGAA_DIFFUSE_FILTER_MAX_ENUM = 0x7FFFFFFF
+} AgaaDiffuseFilter;
+
 /* Settings for measurements and for comparison with the papers. Chain it to AgaaConfig; hosts do not need it to
  * render. */
 typedef struct AgaaMeasurement {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    uint32_t shadingCost; /* lighting is evaluated this many times, [1, 64] */
-    uint32_t debugView;   /* AgaaDebugView */
-    uint32_t seeds;       /* AgaaSeeds of "agaa" */
-    uint32_t lanes;       /* AgaaLanes */
-    uint64_t flags;       /* AGAA_MEASURE_… */
+    uint32_t shadingCost;   /* lighting is evaluated this many times, [1, 64] */
+    uint32_t debugView;     /* AgaaDebugView */
+    uint32_t seeds;         /* AgaaSeeds of "agaa" */
+    uint32_t lanes;         /* AgaaLanes */
+    uint64_t flags;         /* AGAA_MEASURE_… */
+    uint32_t diffuseFilter; /* AgaaDiffuseFilter, without AGAA_MEASURE_NO_DIFFUSE_FILTER */
+    uint32_t reserved;      /* 0 */
 } AgaaMeasurement;
 #define AGAA_MEASUREMENT_INIT                                                                                          \
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_MEASUREMENT, (uint32_t)sizeof(AgaaMeasurement), NULL, 1, AGAA_DEBUG_VIEW_NONE,             \
-            AGAA_SEEDS_MAXIMIN, AGAA_LANES_AUTO, 0                                                                     \
+            AGAA_SEEDS_MAXIMIN, AGAA_LANES_AUTO, 0, AGAA_DIFFUSE_RECTIFIED, 0                                          \
     }
 AGAA_API void AGAA_CALL agaaInitMeasurement(AgaaMeasurement* outMeasurement, size_t structSize);
 

@@ -115,8 +115,13 @@ AGAA_API void AGAA_CALL agaaInitFetchFunction(AgaaFetchFunction* outFunction, si
 /* A function that replaces some shadow maps. Chain it to AgaaViewDesc. It is compiled into the passes that shade.
  * The text defines
  *     float agaaHostShadow(uint shadow, vec3 position)
- * which returns the share of light, [0, 1], that reaches a point in shading space past AgaaFrame::shadows[shadow].
- * "msaa" does not support the struct (AGAA_ERROR_UNSUPPORTED). */
+ * which returns the share of light, [0, 1], that reaches a point in shading space past AgaaFrame::shadows[shadow]. For
+ * the shadows of `footprints`, it defines instead
+ *     float agaaHostShadowFootprint(uint shadow, AgaaFootprint footprint)
+ * which is called once for each shading event and returns the mean share over the positions of its samples, for example
+ * by maps that are filtered in advance (AGAA 3.5.3). AgaaFootprint has position, positionSquares, positionProducts and
+ * depthVariance, as AgaaSurface has (docs/shader-interface.md). "msaa" does not support the struct
+ * (AGAA_ERROR_UNSUPPORTED). */
 typedef struct AgaaShadowFunction {
     uint32_t sType;
     uint32_t structSize;
@@ -124,7 +129,8 @@ typedef struct AgaaShadowFunction {
     const char* glsl;
     uint32_t shadows;             /* bit i in [0, AgaaSceneFacts::shadowMapCount): the function answers for
                                      AgaaFrame::shadows[i], whose layerCount is 0; one bit at least */
-    uint32_t reserved;            /* 0 */
+    uint32_t footprints;          /* bits of `shadows`. With AgaaAggregation::litShadows, which looks shadows up at
+                                     samples, they are unsupported (AGAA_ERROR_UNSUPPORTED) */
     uint64_t descriptorSetLayout; /* see AgaaGBufferFunction::descriptorSetLayout */
     const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
 } AgaaShadowFunction;

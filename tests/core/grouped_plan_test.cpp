@@ -104,6 +104,11 @@ TEST(GroupedPlan, AggregatesKeepMomentsForEllipticLobes) {
         const Plan elliptic = planFor(spec, idealDevice());
         EXPECT_EQ(elliptic.bytesPerAggregate, round.bytesPerAggregate + 20) << tier;
         EXPECT_EQ(elliptic.totalBytes() - round.totalBytes(), 640u * 360u * 2u * 20u) << tier;
+        spec.facts &= ~AGAA_FACT_SPECULAR; // the diffuse term alone reads them
+        spec.change = [](TechniqueConfig& config) { config.measurement.diffuseFilter = AGAA_DIFFUSE_SGGX; };
+        const Plan diffuse = planFor(spec, idealDevice());
+        spec.change = nullptr;
+        EXPECT_EQ(diffuse.bytesPerAggregate, planFor(spec, idealDevice()).bytesPerAggregate + 20) << tier;
     }
 }
 

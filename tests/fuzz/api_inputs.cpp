@@ -141,6 +141,7 @@ const void* anyFunctions(Choices& choices, Memory& memory, uint32_t samples, uin
         value.pNext = chain;
         value.glsl = memory.text("float agaaHostShadow() { return 1; }");
         value.shadows = choices.oneIn(4) ? choices.word() : (1u << (shadowMaps % 8)) - 1;
+        value.footprints = choices.oneIn(4) ? value.shadows & choices.below(16) : 0;
         value.descriptorSetLayout = choices.below(2);
         value.glslExtensions = anyExtensions(choices, memory);
         chain = memory.copy(value, 0, 0, 1);
@@ -204,7 +205,9 @@ ViewInput::ViewInput(Choices& choices) : memory(choices) {
     config = memory.copy(configValue, offsetof(AgaaConfig, brdf), sizeof(AgaaConfig), 7);
 
     aggregation = memory.copy(AgaaAggregation AGAA_AGGREGATION_INIT, header, sizeof(AgaaAggregation), 5);
-    measurement = memory.copy(AgaaMeasurement AGAA_MEASUREMENT_INIT, header, sizeof(AgaaMeasurement), 7);
+    AgaaMeasurement measurementValue = AGAA_MEASUREMENT_INIT;
+    measurementValue.diffuseFilter = uint32_t(choices.below(3));
+    measurement = memory.copy(measurementValue, header, sizeof(AgaaMeasurement), 7);
     if (choices.oneIn(2)) {
         AgaaAdaptiveSampling* adaptive =
             memory.copy(AgaaAdaptiveSampling AGAA_ADAPTIVE_SAMPLING_INIT, header, sizeof(AgaaAdaptiveSampling), 5);

@@ -28,6 +28,7 @@
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/normal_moments.glsl"
+#include "../../src/shaders/math/sggx.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
 #include "../../src/shaders/math/barycentrics.glsl"
@@ -104,6 +105,8 @@ void main() {
     agaa_addSecondMoments(spread, x.y, n);
     spread = agaa_momentsInBasis(agaa_momentsAroundMean(spread, x.z, b), n, t, b);
     agaa_spreadAlpha2(spread, n, len, x.z, id & 1u, 1e-6, s.axis, s.alpha2Along, s.alpha2);
+    agaa_addDirectionVariance(s, agaa_directionVariance(spread, b) + agaa_longestAxis(spread, b));
+    acc.x += agaa_sggxCosine(spread, n, t);
     acc += agaa_shade(s, t, agaa_lightDirection(b, 1e-4), bad, id & 1u, id & 2u) *
            agaa_pointAttenuation(x.x, x.y, 1e-4) * agaa_spotCone(x.x, x.y, x.z);
     for (uint i = 0u; i < 32u; ++i) {

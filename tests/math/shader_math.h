@@ -36,6 +36,7 @@
     using glm::abs;                                                                                                    \
     using glm::ceil;                                                                                                   \
     using glm::clamp;                                                                                                  \
+    using glm::cos;                                                                                                    \
     using glm::cross;                                                                                                  \
     using glm::dot;                                                                                                    \
     using glm::exp;                                                                                                    \
@@ -47,8 +48,10 @@
     using glm::log2;                                                                                                   \
     using glm::max;                                                                                                    \
     using glm::min;                                                                                                    \
+    using glm::mix;                                                                                                    \
     using glm::normalize;                                                                                              \
     using glm::pow;                                                                                                    \
+    using glm::sin;                                                                                                    \
     using glm::sqrt;
 
 namespace math_f {

@@ -26,6 +26,7 @@
 #undef AGAA_MATH_NDF_GLSL
 #undef AGAA_MATH_NORMAL_SPREAD_GLSL
 #undef AGAA_MATH_NORMAL_MOMENTS_GLSL
+#undef AGAA_MATH_SGGX_GLSL
 #undef AGAA_MATH_BRDF_GLSL
 #undef AGAA_MATH_DEPTH_GLSL
 #undef AGAA_MATH_BARYCENTRICS_GLSL
@@ -65,6 +66,7 @@
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/normal_moments.glsl"
+#include "../../src/shaders/math/sggx.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
 #include "../../src/shaders/math/barycentrics.glsl"

@@ -7,6 +7,7 @@
 #include "setting_share.h"
 #include "technique_tiers.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -159,6 +160,66 @@ TYPED_TEST_P(ShadingFunctionCases, ShadowsAreThoseOfTheLibrary) {
         }
 }
 
+// A shadow function of footprints is asked once for each event, and knows of it what a shading function knows.
+TYPED_TEST_P(ShadingFunctionCases, ShadowsOfFootprintsAreLookedUpOnce) {
+    AgaaShadowFunction shadows = AGAA_SHADOW_FUNCTION_INIT;
+    shadows.glsl = "float shadowOf(vec3 position, vec3 squares, vec3 products, float depth) {\n"
+                   "    return clamp(0.5 + dot(squares + 0.5 * products, vec3(0.3, 0.2, 0.1)) - depth + "
+                   "0.1 * sin(position.x), 0.0, 1.0);\n"
+                   "}\n"
+                   "float agaaHostShadowFootprint(uint shadow, AgaaFootprint f) {\n"
+                   "    return shadowOf(f.position, f.positionSquares, f.positionProducts, f.depthVariance);\n"
+                   "}\n";
+    shadows.shadows = shadows.footprints = 1;
+    AgaaShadowFunction ofPosition = shadows;
+    ofPosition.footprints = 0;
+    ofPosition.glsl = "float agaaHostShadow(uint shadow, vec3 position) {\n"
+                      "    return clamp(0.5 + 0.1 * sin(position.x), 0.0, 1.0);\n"
+                      "}\n";
+    AgaaShadingFunction difference = shadingFunction(
+        "vec3 agaaShade(AgaaSurface s) {\n"
+        "    float own = shadowOf(s.position, s.positionSquares, s.positionProducts, s.depthVariance);\n"
+        "    return vec3(1.0, abs(agaaShadow(0u) - own), own < 1.0 && own > 0.0 ? 1.0 : 0.0);\n"
+        "}\n",
+        AGAA_SHADING_EVENT);
+    difference.pNext = &shadows;
+    const AgaaShadow shadow{};
+    Shot shot = this->shot(1);
+    shot.lights = {sun()};
+    shot.lights[0].shadowMap = 0;
+    shot.change = [&](AgaaFrame& frame) {
+        frame.shadows = &shadow;
+        frame.shadowCount = 1;
+    };
+    for (size_t setting = 0; const TechniqueTier& tier : techniqueTiers()) {
+        if (tier.layout || tier.isBatched || tier.isMixed || tier.technique == std::string("msaa") ||
+            !runs(tier, this->context.caps()) || !rendersSetting<TypeParam>(setting++))
+            continue;
+        SCOPED_TRACE(tier);
+        ViewSettings settings = this->settingsOf(tier, 1);
+        settings.facts.shadowMapCount = 1;
+        settings.facts.flags &= ~AGAA_FACT_EMISSIVE; // which "visibility" adds itself
+        settings.chained = &difference;
+        const Shown shown = show(this->context, settings, shot);
+        EXPECT_EQ(shown.counters.shadowTaps, shown.counters.shadingEvents);
+        // Other events stand at one of their samples, and their shadows around the mean.
+        if (tier.technique == std::string("agaa") || tier.technique == std::string("dcaa")) {
+            double within = 0;
+            for (size_t i = 0; i < shown.rgb.size(); i += 3) {
+                ASSERT_LE(shown.rgb[i + 1], 1e-3f) << i / 3;
+                within += double(shown.rgb[i + 2]);
+            }
+            EXPECT_GT(within, 100); // pixels
+        }
+        if (tier.technique == std::string("ssaa")) { // its events have one sample, and no extent
+            settings.chained = &shadows;
+            const Shown ofFootprints = show(this->context, settings, shot);
+            settings.chained = &ofPosition;
+            EXPECT_EQ(ofFootprints.rgb, show(this->context, settings, shot).rgb);
+        }
+    }
+}
+
 // A model of the host's own against the library's, at samples, whose normals have no spread.
 TYPED_TEST_P(ShadingFunctionCases, TheTextbooksModelAgrees) {
     const Shot shot = this->shot();
@@ -296,6 +357,11 @@ TYPED_TEST_P(ShadingFunctionCases, FootprintsAreThoseOfSamples) {
         settings.facts.flags &= ~AGAA_FACT_EMISSIVE; // which "visibility" adds itself
         return this->showWith(settings, shot, event(value).c_str(), AGAA_SHADING_EVENT).rgb;
     };
+    // A turned view, so that the rows of its matrix are not its columns.
+    const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.4f, glm::normalize(glm::vec3(1, 2, 0.5f)));
+    for (Triangle& t : shot.triangles)
+        for (glm::vec3& p : t.position)
+            p = glm::transpose(glm::mat3(turned)) * p;
     const char* const bounds = "vec3(max(s.positionSpread - dot(s.positionSquares, vec3(1.0)), 0.0), "
                                "max(s.positionProducts.z * s.positionProducts.z - s.positionSquares.x * "
                                "s.positionSquares.y, 0.0), max(s.depthVariance - dot(s.positionSquares, vec3(1.0)), "
@@ -306,8 +372,18 @@ TYPED_TEST_P(ShadingFunctionCases, FootprintsAreThoseOfSamples) {
             continue;
         SCOPED_TRACE(tier);
         ViewSettings settings = this->settingsOf(tier, 1);
+        settings.view = turned;
         for (const float excess : shown(settings, bounds))
             ASSERT_LE(excess, 1e-4f);
+        // Spreads that the width of a pixel does not bound are the trace.
+        const std::vector<float> spreads =
+            shown(settings, "vec3(100.0 * s.positionSpread, 100.0 * dot(s.positionSquares, vec3(1.0)), 1.0)");
+        size_t equal = 0, wider = 0;
+        for (size_t i = 0; i < spreads.size(); i += 3) {
+            equal += std::fabs(spreads[i] - spreads[i + 1]) <= 0.01f * spreads[i + 1];
+            wider += spreads[i + 1] > 1.01f * spreads[i];
+        }
+        EXPECT_GT(equal, wider) << wider;
         const bool seesAllSamples = tier.technique == std::string("agaa") && tier.tier != AGAA_TIER_FRAGMENTS &&
                                     tier.visibility == AGAA_TIER_AUTO && // other sample positions
 
@@ -319,11 +395,13 @@ TYPED_TEST_P(ShadingFunctionCases, FootprintsAreThoseOfSamples) {
         all.config.technique = "ssaa";
         all.config.generationTier = AGAA_TIER_AUTO;
         all.config.flags = 0;
+        all.view = turned;
         settings.config.aggregates = 1;
         size_t spread = 0;
         for (const auto& [ofAggregates, ofSamples] :
              {std::pair{"s.positionSquares + s.position * s.position", "s.position * s.position"},
-              {"s.positionProducts + s.position.yzx * s.position.zxy", "s.position.yzx * s.position.zxy"},
+              {"20.0 + 0.05 * (s.positionProducts + s.position.yzx * s.position.zxy)",
+               "20.0 + 0.05 * s.position.yzx * s.position.zxy"}, // no negative light
               {"vec3(s.depthVariance + z * z)", "vec3(z * z)"}}) {
             const std::vector<float> aggregates = shown(settings, ofAggregates), samples = shown(all, ofSamples);
             const std::vector<float> atMeans = shown(settings, ofSamples);
@@ -441,8 +519,9 @@ TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame, ShadowsAreThoseOfTheLibrary,
-                            TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent, MasksLeaveHalfOfTheSamples,
-                            MomentsAreThoseOfUnitNormals, FootprintsAreThoseOfSamples, CustomAttributesAreMeansAsOthers,
-                            ResultsAreContainedAndCounted, BadOnesAreRefusedInASentence);
+                            ShadowsOfFootprintsAreLookedUpOnce, TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent,
+                            MasksLeaveHalfOfTheSamples, MomentsAreThoseOfUnitNormals, FootprintsAreThoseOfSamples,
+                            CustomAttributesAreMeansAsOthers, ResultsAreContainedAndCounted,
+                            BadOnesAreRefusedInASentence);
 
 } // namespace agaa::test

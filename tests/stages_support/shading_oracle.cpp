@@ -108,12 +108,23 @@ double ShadingOracle::spreadOf(const std::vector<glm::dvec3>& samples, const glm
     return std::min(spread, width * width);
 }
 
-glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position, double spread,
+static math_d::agaa_SecondMoments momentsOf(const std::vector<glm::dvec3>& samples, const glm::dvec3& mean) {
+    math_d::agaa_SecondMoments moments = math_d::agaa_noSecondMoments();
+    for (const glm::dvec3& sample : samples)
+        math_d::agaa_addSecondMoments(moments, 1 / double(samples.size()), sample - mean);
+    return moments;
+}
+
+glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position, const std::vector<glm::dvec3>& samples,
                                 const std::vector<double>& visibility) const {
+    const double spread = spreadOf(samples, position);
+    const math_d::agaa_SecondMoments moments = momentsOf(samples, position);
     const glm::dvec3 toEye = towardsEye(position, constants_);
     const AgaaConfig& config = plan_.view.config;
-    const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2, 0, glm::dvec3(0)};
-    const uint32_t filterDiffuse = !(plan_.view.measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER);
+    const agaa_Surface widened{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2, 0, glm::dvec3(0)};
+    const AgaaMeasurement& measurement = plan_.view.measurement;
+    const uint32_t filterDiffuse =
+        measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER ? 0 : 1 + measurement.diffuseFilter;
     glm::dvec3 sum = s.emissive;
     for (int i = 0; i < 3; ++i)
         sum[i] += double(frame_.ambient[i]) * (s.diffuse[i] + s.specular[i]);
@@ -122,6 +133,7 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position, dou
         const glm::dvec3 direction(light.direction[0], light.direction[1], light.direction[2]);
         glm::dvec3 toLight = -direction;
         double intensity = 1;
+        agaa_Surface surface = widened;
         if (light.type != AGAA_LIGHT_DIRECTIONAL) {
             const glm::dvec3 d = glm::dvec3(light.position[0], light.position[1], light.position[2]) - position;
             intensity = math_d::agaa_pointAttenuation(math_d::agaa_spreadDistance2(glm::dot(d, d), spread),
@@ -130,6 +142,8 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position, dou
             if (light.type == AGAA_LIGHT_SPOT)
                 intensity *= math_d::agaa_spotCone(glm::dot(-toLight, direction), double(light.cosInner),
                                                    double(light.cosOuter));
+            if (measurement.flags & AGAA_MEASURE_LIGHT_DIRECTIONS)
+                math_d::agaa_addDirectionVariance(surface, math_d::agaa_directionVariance(moments, d));
             if (spread > 0)
                 toLight = glm::normalize(math_d::agaa_nearestToLight(d, s.normal, spread));
         }
@@ -161,7 +175,7 @@ glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
             visibility.push_back(visibility_(map, at));
             ++shadowTaps_;
         }
-        sum += light(sample(index), at, 0, visibility);
+        sum += light(sample(index), at, {}, visibility);
     }
     events_ += covered;
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
@@ -183,6 +197,15 @@ ShadingOracle::shadowTapsOf(const std::vector<glm::dvec3>& samples) const {
         mean += sample / double(count);
     if (plan_.view.measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER)
         return {mean, {mean}};
+    if (plan_.view.measurement.flags & AGAA_MEASURE_SHADOW_COVARIANCE) {
+        glm::dvec3 axis;
+        const double sigma = std::sqrt(math_d::agaa_longestAxis(momentsOf(samples, mean), axis));
+        if (sigma == 0)
+            return {mean, {mean}};
+        return {mean,
+                {mean - 1.34 * sigma * axis, mean - 0.45 * sigma * axis, mean + 0.45 * sigma * axis,
+                 mean + 1.34 * sigma * axis}};
+    }
     if (!alongDepth)
         return {mean, chosen};
     const glm::dvec3 axis(frame_.view[2], frame_.view[6], frame_.view[10]);
@@ -231,8 +254,7 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
             visibility.push_back(lit);
             shadowTaps_ += taps.size();
         }
-        sum += double(count) *
-               light(aggregate(words, count, towardsEye(mean, constants_)), mean, spreadOf(places, mean), visibility);
+        sum += double(count) * light(aggregate(words, count, towardsEye(mean, constants_)), mean, places, visibility);
     }
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
     return (sum + background * double(plan_.view.samples - covered)) / double(plan_.view.samples);

@@ -43,8 +43,8 @@ private:
     Shaded aggregate(const uint32_t* words, uint32_t count, const glm::dvec3& toEye) const;
     Shaded sample(size_t index) const;
     glm::dvec3 position(uint32_t x, uint32_t y, uint32_t i) const; // shading space
-    // spread: mean squared distance of the samples from the position.
-    glm::dvec3 light(const Shaded& s, const glm::dvec3& position, double spread,
+    // samples: positions that an aggregate stands for, or none.
+    glm::dvec3 light(const Shaded& s, const glm::dvec3& position, const std::vector<glm::dvec3>& samples,
                      const std::vector<double>& visibility) const;
     double spreadOf(const std::vector<glm::dvec3>& samples, const glm::dvec3& mean) const;
     // Of an aggregate: the mean of its samples' positions, and where its shadows are looked up.

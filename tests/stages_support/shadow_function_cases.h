@@ -221,7 +221,7 @@ TYPED_TEST_P(ShadowFunctionCases, BadOnesAreRefusedInASentence) {
         {"no function", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f) { f.glsl = "float other;"; }},
         {"answers for none", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.shadows = 0; }},
         {"answers for more", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.shadows = 4; }},
-        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.reserved = 1; }},
+        {"footprints of others", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.footprints = 4; }},
         {"size", AGAA_ERROR_STRUCT, [](auto& f) { f.structSize = 8; }},
         {"twice", AGAA_ERROR_UNKNOWN_STRUCT,
          [](auto& f) {

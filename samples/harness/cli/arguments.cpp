@@ -233,6 +233,12 @@ Configuration::Configuration(const PlanArguments& arguments) {
     measure(arguments.noDiffuseFilter, AGAA_MEASURE_NO_DIFFUSE_FILTER);
     measure(arguments.noShadowFilter, AGAA_MEASURE_NO_SHADOW_FILTER);
     measure(arguments.shadowAlongDepth, AGAA_MEASURE_SHADOW_ALONG_DEPTH);
+    measure(arguments.shadowCovariance, AGAA_MEASURE_SHADOW_COVARIANCE);
+    measure(arguments.lightDirections, AGAA_MEASURE_LIGHT_DIRECTIONS);
+    config.measurement.diffuseFilter = choice(arguments.diffuseFilter, "--diffuse-filter",
+                                              {{"rectified", AGAA_DIFFUSE_RECTIFIED},
+                                               {"mises-fisher", AGAA_DIFFUSE_MISES_FISHER},
+                                               {"sggx", AGAA_DIFFUSE_SGGX}});
     config.measurement.debugView = choice(arguments.view, "--view",
                                           {{"none", AGAA_DEBUG_VIEW_NONE},
                                            {"events", AGAA_DEBUG_VIEW_EVENTS},

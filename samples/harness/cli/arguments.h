@@ -74,6 +74,9 @@ struct PlanArguments {
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;
+    bool shadowCovariance = false;
+    bool lightDirections = false;
+    std::string diffuseFilter = "rectified";
     bool reversedZ = true;
     std::string expand = "geometry";
     std::string size = "640x360";

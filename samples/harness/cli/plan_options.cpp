@@ -56,11 +56,14 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_flag("--no-diffuse-filter", a.noDiffuseFilter);
     app.add_flag("--no-shadow-filter", a.noShadowFilter);
     app.add_flag("--shadow-along-depth", a.shadowAlongDepth, "the paper's shadow taps");
+    app.add_flag("--shadow-covariance", a.shadowCovariance, "shadow taps along the longest axis of an aggregate");
+    app.add_flag("--light-directions", a.lightDirections, "widen lobes by the variance of light directions");
+    app.add_option("--diffuse-filter", a.diffuseFilter, "agaa: rectified, mises-fisher or sggx");
     CLI::Option* preset = app.add_option("--preset", a.preset, "paper, fast, balanced or accurate: settings of agaa");
     for (const char* decided :
          {"--technique", "--aggregates", "--ndf", "--seeds", "--threshold", "--surface", "--gloss-weight", "--lit",
           "--shadow-taps", "--split-surfaces", "--fine-materials", "--first-sample-routing", "--no-diffuse-filter",
-          "--no-shadow-filter", "--shadow-along-depth"})
+          "--no-shadow-filter", "--shadow-along-depth", "--shadow-covariance"})
         preset->excludes(app.get_option(decided));
 }
 

@@ -105,10 +105,10 @@ std::string viewKey(const AgaaViewDesc& desc) {
     key.add(desc.height);
     key.add(desc.flags);
     key.add(config.technique);
-    for (const uint32_t value :
-         {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds, measurement.lanes,
-          config.shadowTaps, config.visibilityTier, config.generationTier, measurement.shadingCost,
-          aggregation.litShadows, measurement.debugView, coverage.merge, coverage.maxBatches, coverage.tableSize})
+    for (const uint32_t value : {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds,
+                                 measurement.lanes, config.shadowTaps, config.visibilityTier, config.generationTier,
+                                 measurement.shadingCost, aggregation.litShadows, measurement.debugView,
+                                 measurement.diffuseFilter, coverage.merge, coverage.maxBatches, coverage.tableSize})
         key.add(value);
     for (const float value :
          {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance, aggregation.aggregateThreshold,

@@ -109,6 +109,8 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     define(out, "AGAA_BRDF", c[AGAA_BRDF]);
     define(out, "AGAA_NDF", c[AGAA_NDF]);
     define(out, "AGAA_FILTER_DIFFUSE", c[AGAA_FILTER_DIFFUSE]);
+    define(out, "AGAA_SHADOW_FILTER", c[AGAA_SHADOW_FILTER]);
+    define(out, "AGAA_LIGHT_DIRECTIONS", c[AGAA_LIGHT_DIRECTIONS]);
     define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
     define(out, "AGAA_HAS_AMBIENT", c[AGAA_HAS_AMBIENT]);
     define(out, "AGAA_SHADOW_MAPS", c[AGAA_SHADOW_MAPS]);

@@ -21,10 +21,12 @@ Constants constantsOf(const ResolvedView& view) {
     c[AGAA_AGGREGATES] = std::max(view.aggregates, 1u);
     c[AGAA_BRDF] = config.brdf;
     c[AGAA_NDF] = config.ndf;
-    c[AGAA_FILTER_DIFFUSE] = !(measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER);
+    c[AGAA_FILTER_DIFFUSE] = measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER ? 0 : 1 + measurement.diffuseFilter;
+    c[AGAA_LIGHT_DIRECTIONS] = (measurement.flags & AGAA_MEASURE_LIGHT_DIRECTIONS) != 0;
     c[AGAA_SHADOW_MAPS] = view.facts.shadowMapCount;
     c[AGAA_SHADOW_TAPS] = config.shadowTaps;
     c[AGAA_SHADOW_FILTER] = measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER     ? AGAA_SHADOW_AT_MEAN
+                            : measurement.flags & AGAA_MEASURE_SHADOW_COVARIANCE  ? AGAA_SHADOW_COVARIANCE
                             : measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH ? AGAA_SHADOW_ALONG_DEPTH
                                                                                   : AGAA_SHADOW_AT_SAMPLES;
     c[AGAA_COUNTERS] = view.hasCounters();

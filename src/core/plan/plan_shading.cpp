@@ -78,8 +78,10 @@ void PlanBuilder::bindShadows(Pass& pass) {
             "AgaaShadowFunction is for techniques that shade in the SDK's passes; this one shades in the "
             "host's.");
     addHostCode(pass, plan.view.shadowFunction, "AgaaShadowFunction");
-    pass.compute().defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
-                                     plan.view.functionShadows, anyMap != noResource);
+    // Some compilers reject the suffix `u` in preprocessor conditions.
+    pass.compute().defines += format("#define AGAA_HOST_SHADOWS %u\n#define AGAA_HOST_FOOTPRINTS %u\n"
+                                     "#define AGAA_SHADOW_TEXTURES %d\n",
+                                     plan.view.functionShadows, plan.view.footprintShadows, anyMap != noResource);
 }
 
 void PlanBuilder::listEffects(bool readsFolded) {
@@ -114,6 +116,8 @@ void PlanBuilder::listEffects(bool readsFolded) {
         if (readsFolded)
             note("roughness is folded into the normal's length: the length does not tell the spread of normals, so the "
                  "diffuse term is not filtered, and rounding of the sums widens narrow lobes.");
+        if (constants_[AGAA_LIGHT_DIRECTIONS])
+            effect("light-directions");
         if (constants_[AGAA_NDF] && plan.view.layout.hasSpecularLight)
             effect("ndf-widening");
         if (plan.view.config.ndf > AGAA_NDF_TOKSVIG)

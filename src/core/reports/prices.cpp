@@ -87,12 +87,12 @@ uint64_t trafficBytes(const Plan& plan) {
 
 // Returns the taps for a shadow map that an event does not look up at each sample.
 uint64_t tapsOfMap(const Technique& technique, const Plan& plan, const Constants& constants, uint32_t samples) {
-    constexpr uint64_t depthTaps = 4; // of agaa_tapAlongDepth()
+    constexpr uint64_t lineTaps = 4; // of agaa_tapAlongDepth() and agaa_tapLongestAxis()
     const uint32_t filter = constants[AGAA_SHADOW_FILTER];
     const bool hasDepths =
         technique.maxAggregates > 0 && !technique.countsCoverage(plan.view.config.generationTier, plan.view.samples);
-    if (filter == AGAA_SHADOW_ALONG_DEPTH && hasDepths)
-        return samples > 1 ? depthTaps : 1;
+    if ((filter == AGAA_SHADOW_ALONG_DEPTH || filter == AGAA_SHADOW_COVARIANCE) && hasDepths)
+        return samples > 1 ? lineTaps : 1;
     return filter != AGAA_SHADOW_AT_MEAN ? std::min(samples, constants[AGAA_SHADOW_TAPS]) : 1;
 }
 
@@ -104,7 +104,8 @@ uint64_t shadowTaps(const Technique& technique, const Plan& plan, uint32_t sampl
         return 0;
     const Constants& constants = shades->constants;
     const uint32_t maps = constants[AGAA_SHADOW_MAPS], lit = uint32_t(std::popcount(constants[AGAA_LIT_SHADOWS]));
-    return (maps - lit) * tapsOfMap(technique, plan, constants, samples) + uint64_t(lit) * samples;
+    const uint32_t atOnce = uint32_t(std::popcount(plan.view.footprintShadows)); // by a function of the host
+    return (maps - lit - atOnce) * tapsOfMap(technique, plan, constants, samples) + uint64_t(lit) * samples + atOnce;
 }
 
 AgaaPrice priceOf(const Plan& plan) {

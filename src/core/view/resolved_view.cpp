@@ -34,6 +34,9 @@ void stripUnusedFeatures(ResolvedView& view, const Technique& technique) {
     // Elliptic lobes need a specular lobe and a technique that keeps the spread of normals.
     if (!(technique.groupsSamples || technique.keepsSpread) || !view.layout.hasSpecularLight)
         config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
+    if (!technique.groupsSamples || (view.measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER) ||
+        (view.facts.flags & AGAA_FACT_NO_DIFFUSE))
+        view.measurement.diffuseFilter = AGAA_DIFFUSE_RECTIFIED;
     if (!technique.groupsSamples || !view.layout.hasSpecularLight)
         view.aggregation.glossWeight = 0;
     const uint32_t lit = view.aggregation.litShadows & ((1u << view.facts.shadowMapCount) - 1);
@@ -89,16 +92,14 @@ void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const 
 
 // The aggregates in memory that two geometry passes fill.
 uint64_t aggregateBytes(const ResolvedView& view) {
-    const uint64_t moments = view.config.ndf > AGAA_NDF_TOKSVIG ? AGAA_MOMENT_WORDS : 0;
+    const uint64_t moments = view.keepsNormalMoments() ? AGAA_MOMENT_WORDS : 0;
     const Layout layout = view.needsSampleNormals() ? twoPassLayout(view.layout, view.facts.flags) : view.layout;
     const uint64_t words = packAggregate(layout, view.samples).words + moments;
     return checkedMultiply(uint64_t(view.width) * view.height, 4 * words * view.aggregates + view.claimBytes());
 }
 
 // Folded roughness and the spread of normals are one value in memory, which elliptic lobes cannot separate.
-bool needsEachNormal(const ResolvedView& view) {
-    return view.config.ndf > AGAA_NDF_TOKSVIG && view.layout.foldsRoughness();
-}
+bool needsEachNormal(const ResolvedView& view) { return view.keepsNormalMoments() && view.layout.foldsRoughness(); }
 
 void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, TechniqueTable table) {
     const Technique& technique = *view.technique;
@@ -116,7 +117,7 @@ void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, Techni
                           .accumulates = view.accumulates(),
                           .coverageSamples = technique.countsCoverage(config.generationTier, view.samples),
                           .needsMaterials = view.aggregation.litShadows || view.aggregation.glossWeight > 0 ||
-                                            config.ndf > AGAA_NDF_TOKSVIG};
+                                            view.keepsNormalMoments()};
     // The other tiers shade at once, without aggregates in memory.
     if (technique.groupsSamples && !query.coverageSamples && !(config.flags & AGAA_CONFIG_BUFFERED))
         query.aggregateBytes = aggregateBytes(view);
@@ -153,11 +154,19 @@ void checkTierOptions(const ResolvedView& view, const Technique& technique) {
             "AgaaAggregation::litShadows needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED, "
             "which know "
             "materials and shadows in one pass.");
+    require(
+        !(view.aggregation.litShadows & view.footprintShadows), AGAA_ERROR_UNSUPPORTED,
+        "AgaaAggregation::litShadows looks shadows up at samples, and AgaaShadowFunction::footprints for all samples "
+        "of an event at once.");
     require(!needsEachNormal(view) || (view.knowsMaterials() && !buffered), AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic "
-            "lobes of a layout with folded roughness, whose aggregates in memory cannot have them.");
-    require(config.ndf <= AGAA_NDF_TOKSVIG || view.generationTier != AGAA_TIER_NV_MIXED_SAMPLES, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::ndf asks for elliptic lobes, whose spread the tier nv-mixed-samples does not keep.");
+            "lobes, or AGAA_DIFFUSE_SGGX, of a layout with folded roughness, whose aggregates in memory cannot have "
+            "them.");
+    require(!view.keepsNormalMoments() || view.generationTier != AGAA_TIER_NV_MIXED_SAMPLES, AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::ndf asks for elliptic lobes, or AgaaMeasurement::diffuseFilter for SGGX, whose moments of "
+            "normals the tier nv-mixed-samples does not keep.");
+    require(view.measurement.diffuseFilter != AGAA_DIFFUSE_SGGX || !view.aggregation.litShadows, AGAA_ERROR_UNSUPPORTED,
+            "AgaaMeasurement::diffuseFilter: AGAA_DIFFUSE_SGGX excludes AgaaAggregation::litShadows.");
     const uint32_t shown = view.measurement.debugView;
     const bool showsAggregates =
         shown == AGAA_DEBUG_VIEW_AGGREGATES || shown == AGAA_DEBUG_VIEW_CLUSTERS || shown == AGAA_DEBUG_VIEW_WIDENED;

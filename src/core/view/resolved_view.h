@@ -31,6 +31,10 @@ struct ResolvedView : ViewSettings {
     // Returns whether two geometry passes need the normals of samples: to group them, to count samples with geometry,
     // and to know fragments at the far plane, which a reversed depth has not.
     bool needsSampleNormals() const { return aggregates > 1 || hasCounters() || !reversedZ; }
+    // Returns whether aggregates have the second moments of their normals.
+    bool keepsNormalMoments() const {
+        return config.ndf > AGAA_NDF_TOKSVIG || measurement.diffuseFilter == AGAA_DIFFUSE_SGGX;
+    }
     // Bytes per pixel, besides the aggregates in memory, that record which samples have an aggregate. Two geometry
     // passes need them if a sample may go to any aggregate.
     uint64_t claimBytes() const { return measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }

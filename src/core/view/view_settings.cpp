@@ -25,8 +25,15 @@ static void readMeasurement(const AgaaConfig& config, ViewSettings& view) {
     checkRange(uint64_t(m.lanes), 0, AGAA_LANES_SAMPLE_SUBGROUP, "AgaaMeasurement::lanes");
     checkFlags(m.flags,
                AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
-                   AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING,
+                   AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING |
+                   AGAA_MEASURE_LIGHT_DIRECTIONS | AGAA_MEASURE_SHADOW_COVARIANCE,
                "AgaaMeasurement::flags");
+    checkRange(uint64_t(m.diffuseFilter), 0, AGAA_DIFFUSE_SGGX, "AgaaMeasurement::diffuseFilter");
+    checkReserved(m.reserved, "AgaaMeasurement::reserved");
+    require(!(m.flags & AGAA_MEASURE_SHADOW_COVARIANCE) ||
+                !(m.flags & (AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_MEASURE_NO_SHADOW_FILTER)),
+            AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaMeasurement::flags: AGAA_MEASURE_SHADOW_COVARIANCE excludes the other places of shadow taps.");
 }
 
 static void readSettings(const AgaaConfig& config, TechniqueTable table, ViewSettings& view) {
@@ -157,11 +164,13 @@ static void readShadowFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     const std::optional<AgaaShadowFunction> function = chainedFunction<AgaaShadowFunction>(desc);
     if (!function)
         return;
-    checkReserved(function->reserved, "AgaaShadowFunction::reserved");
     const uint32_t declared = (1u << view.facts.shadowMapCount) - 1;
     require(function->shadows != 0 && (function->shadows & ~declared) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaShadowFunction::shadows names no shadow, or more than AgaaSceneFacts declares.");
+    require((function->footprints & ~function->shadows) == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaShadowFunction::footprints names shadows that AgaaShadowFunction::shadows does not.");
     view.functionShadows = function->shadows;
+    view.footprintShadows = function->footprints;
     view.shadowFunction = copyFunction(*function, view);
 }
 

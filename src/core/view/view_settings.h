@@ -40,7 +40,8 @@ struct ViewSettings {
     uint32_t samples = 1;          // at most Technique::maxSamples
     uint32_t aggregates = 0;       // 0: the technique has no aggregates
 
-    uint32_t functionShadows = 0; // bit i: the host's function looks up shadow i
+    uint32_t functionShadows = 0;  // bit i: the host's function looks up shadow i
+    uint32_t footprintShadows = 0; // bits of functionShadows: over the footprint of each event
     HostText shadowFunction;
     std::optional<HostText> shadingFunction;
     bool hostShadesEvents = false; // agaaShade(), in place of agaaReflect()

@@ -40,6 +40,17 @@ uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
     return taps;
 }
 
+// Adds shadow taps along the longest axis of the aggregate, by the covariance of its samples' positions. Returns the
+// number of taps.
+uint agaa_tapLongestAxis(vec3 mean) {
+    vec3 axis;
+    float sigma = sqrt(agaa_longestAxis(agaa_footprint, axis));
+    uint taps = sigma > 0.0 ? 4u : 1u;
+    for (uint j = 0u; j < taps; ++j)
+        agaa_addTaps(mean + agaa_depthTap(j, 0.0, sigma, -2.0 * sigma, 2.0 * sigma) * axis);
+    return taps;
+}
+
 // Returns the mean position of all samples. Finds their spread around it, and the aggregate's share of each shadow
 // map's light: at some of its samples, at all of them, along the view ray or at the mean position.
 vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
@@ -80,9 +91,12 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     float spread = max(squares / float(count) - dot(mean, mean), 0.0);
     agaa_endFootprintAroundMean(float(count), mean);
     mean += first;
+    vec3 position = agaa_toShadingSpace(mean);
 #if AGAA_SHADOWS
     uint taps = count;
-    if (AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_SAMPLES) {
+    if (AGAA_SHADOW_FILTER == AGAA_SHADOW_COVARIANCE) {
+        taps = agaa_tapLongestAxis(position);
+    } else if (AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_SAMPLES) {
         float sigma = AGAA_SHADOW_FILTER == AGAA_SHADOW_ALONG_DEPTH ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
         taps = agaa_tapAlongDepth(mean, sigma, lowest, highest);
     } else if (!tapsAll) {
@@ -90,8 +104,8 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     }
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);
+    agaa_lookUpFootprint(position);
 #endif
-    vec3 position = agaa_toShadingSpace(mean);
     agaa_setSpread(spread, position);
     return position;
 }

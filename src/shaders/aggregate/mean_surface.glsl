@@ -40,7 +40,7 @@ void agaa_addCustom(inout agaa_Means m, float weight, agaa_Stored v) {
 
 void agaa_addNormal(inout agaa_Means m, float weight, vec3 normal) {
     m.normal += weight * normal;
-    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean)
+    if (AGAA_KEEPS_MOMENTS)
         agaa_addSecondMoments(m.moments, weight, normal);
 }
 

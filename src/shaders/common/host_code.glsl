@@ -51,6 +51,9 @@ struct AgaaPrimitive {
 #if defined(AGAA_HOST_FETCH) && defined(AGAA_EXPANDS_TRIANGLES)
 #include "common/host_triangles.glsl"
 #endif
+#ifdef AGAA_HOST_SHADOWS
+#include "common/host_footprint.glsl"
+#endif
 #ifdef AGAA_HOST_SHADING
 #include "common/host_shading.glsl"
 #endif

@@ -23,10 +23,9 @@ struct AgaaSurface {
     vec3 normalProducts;  // means of yz, zx and xy
     vec3 position;        // mean over the samples, or that of the sample that represents them
     float positionSpread; // mean squared distance of the samples from it, at most the squared width of a pixel there.
-                          // In "agaa" by fragment lists and in "dcaa" it is 0 with AGAA_FACT_NO_LOCAL_LIGHTS
     // Footprint of the event: second moments of its samples' positions around `position`, without a bound. Events of
-    // one sample and of "msaa" have none (0); fragments of lists and surfaces of "dcaa" have those of four of their
-    // samples.
+    // one sample, of "msaa" and with AGAA_ADAPTIVE_EQUAL_WEIGHTS have none (0); fragments of lists and surfaces of
+    // "dcaa" have those of four of their samples.
     vec3 positionSquares;  // means of xx, yy and zz
     vec3 positionProducts; // means of yz, zx and xy
     float depthVariance;   // the moment along the view's axis: the variance of depth where `position` is the mean

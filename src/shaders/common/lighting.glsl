@@ -11,6 +11,7 @@
 #include "math/brdf.glsl"
 #include "math/light.glsl"
 #include "math/ndf.glsl"
+#include "math/sggx.glsl"
 #include "math/ordered_bits.glsl" // of tile_lights.glsl and resolve_event.glsl
 
 #include "common/lights.glsl"
@@ -31,14 +32,30 @@ void agaa_countTaps(uint map, uint taps) {
     agaa_count(AGAA_COUNT_SHADOW_TAPS, agaa_lightBuffer.shadows[map].layerCount != 0u ? taps : 0u);
 }
 
+// Returns whether a function of the host looks this shadow up once for all samples of an event.
+bool agaa_hasFootprintFunction(uint map) { return (uint(AGAA_HOST_FOOTPRINTS) >> map & 1u) != 0u; }
+
+#if AGAA_HOST_FOOTPRINTS
+float agaa_footprintTap(uint map, AgaaFootprint footprint) {
+    uint bad = 0u;
+    return agaa_sanitise(agaaHostShadowFootprint(map, footprint), 0.0, 1.0, bad);
+}
+#endif
+
 // Returns agaa_shadowTap() and does not count the tap.
 float agaa_uncountedTap(uint map, vec3 p) {
     if (agaa_lightBuffer.shadows[map].layerCount == 0u)
         return 1.0;
+#if AGAA_HOST_FOOTPRINTS
+    if (agaa_hasFootprintFunction(map))
+        return agaa_footprintTap(map, AgaaFootprint(p, vec3(0.0), vec3(0.0), 0.0));
+#endif
 #ifdef AGAA_HOST_SHADOWS
+#if (AGAA_HOST_SHADOWS & ~AGAA_HOST_FOOTPRINTS) != 0
     uint bad = 0u;
-    if ((AGAA_HOST_SHADOWS >> map & 1u) != 0u)
+    if ((uint(AGAA_HOST_SHADOWS) >> map & 1u) != 0u)
         return agaa_sanitise(agaaHostShadow(map, p), 0.0, 1.0, bad);
+#endif
 #endif
     return agaa_mapTap(map, p);
 }
@@ -81,8 +98,23 @@ uint agaa_reachingShadows = (1u << AGAA_MAX_SHADOW_MAPS) - 1u; // mask of those 
 void agaa_addTaps(vec3 position) {
 #if AGAA_SHADOWS
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        if (!agaa_isLitShadow(map) && (agaa_reachingShadows >> map & 1u) != 0u)
+        if (!agaa_isLitShadow(map) && !agaa_hasFootprintFunction(map) && (agaa_reachingShadows >> map & 1u) != 0u)
             agaa_visibility[map] += agaa_shadowTap(map, position);
+#endif
+}
+
+// Looks up the shadows that functions of the host find over footprints. Call it after agaa_visibility has the means of
+// taps, and when the footprint around the position is known.
+void agaa_lookUpFootprint(vec3 position) {
+#if AGAA_SHADOWS && AGAA_HOST_FOOTPRINTS
+    AgaaFootprint footprint =
+        AgaaFootprint(position, agaa_footprint.squares, agaa_footprint.mixed, agaa_depthVariance());
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        if (agaa_hasFootprintFunction(map) && (agaa_reachingShadows >> map & 1u) != 0u) {
+            bool isThere = agaa_lightBuffer.shadows[map].layerCount != 0u;
+            agaa_visibility[map] = isThere ? agaa_footprintTap(map, footprint) : 1.0;
+            agaa_countTaps(map, 1u);
+        }
 #endif
 }
 
@@ -116,9 +148,10 @@ void agaa_setEvent(uvec2 pixel, uvec4 samples) {
 #endif
 }
 
-#ifdef AGAA_HOST_SHADING
-// The second moments of the normals of an event that is shaded with means, and its alpha squared before it is widened.
+// The second moments of the normals of an event that is shaded with means.
 agaa_SecondMoments agaa_eventMoments = agaa_SecondMoments(vec3(0.0), vec3(0.0));
+#ifdef AGAA_HOST_SHADING
+// The mean of its alpha squared, before it is widened.
 float agaa_eventAlpha2 = -1.0; // below 0: the event has no means
 #endif
 
@@ -137,12 +170,17 @@ void agaa_setEventCustom(agaa_Stored v) {
 vec3 agaa_builtInReflect(agaa_Surface s, vec3 toLight, vec3 toEye) {
     uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
     uint filterDiffuse = agaa_hasFact(AGAA_FACT_NO_DIFFUSE) ? 0u : AGAA_FILTER_DIFFUSE;
+    vec3 sggx = vec3(0.0);
+    if (filterDiffuse == agaa_diffuseSggx) {
+        sggx = clamp(s.diffuse, 0.0, 1.0) * (agaa_sggxCosine(agaa_eventMoments, toEye, toLight) / agaa_pi());
+        s.diffuse = vec3(0.0);
+    }
     vec3 reflected = agaa_shadeDiffuse(s, toLight, filterDiffuse);
     if (AGAA_HAS_SPECULAR != 0u) {
         vec3 both = agaa_shade(s, toEye, toLight, AGAA_BRDF, filterDiffuse, elliptic);
         reflected = agaa_leavesOut(AGAA_FACT_SPECULAR) ? reflected : both;
     }
-    return reflected;
+    return sggx + reflected;
 }
 
 #ifdef AGAA_FINDS_LIGHTS
@@ -180,8 +218,11 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     agaa_GpuLight light = agaa_lightBuffer.lights[index];
     vec3 toLight = -light.direction;
     float intensity = 1.0;
+    float directions = 0.0; // variance
     if (light.type != AGAA_LIGHT_DIRECTIONAL && !agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS)) {
         vec3 d = light.position - position;
+        if (AGAA_LIGHT_DIRECTIONS != 0u)
+            directions = agaa_directionVariance(agaa_footprint, d);
         float d2 = agaa_spreadDistance2(dot(d, d), agaa_positionSpread);
         intensity = agaa_pointAttenuation(d2, light.range, light.radius * light.radius);
         if (intensity <= 0.0)
@@ -204,6 +245,8 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
         if (agaa_isLitShadow(k) && map == k)
             s = agaa_litSurface[k];
 #endif
+    if (AGAA_LIGHT_DIRECTIONS != 0u)
+        agaa_addDirectionVariance(s, directions);
     return agaa_reflect(s, position, toLight, toEye) * light.color * intensity;
 }
 

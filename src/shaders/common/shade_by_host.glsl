@@ -34,10 +34,9 @@ AgaaSurface agaa_surfaceForHost(agaa_Surface s, vec3 position, bool isPart) {
     surface.normalProducts = moments.mixed;
     surface.position = position;
     surface.positionSpread = agaa_positionSpread;
-    vec3 depthAxis = transpose(mat3(agaa_frame.view))[2];
     surface.positionSquares = agaa_footprint.squares;
     surface.positionProducts = agaa_footprint.mixed;
-    surface.depthVariance = max(agaa_momentAlong(agaa_footprint, depthAxis, depthAxis), 0.0);
+    surface.depthVariance = agaa_depthVariance();
     surface.pixel = agaa_event.pixel;
     surface.samples = agaa_event.samples;
     surface.coverage = agaa_event.coverage;

@@ -49,7 +49,7 @@ float agaa_spreadOfSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 posit
 // chosen, or at their centroid.
 void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
     agaa_setEvent(pixel, mask);
-    if (AGAA_HAS_FOOTPRINT != 0 || !agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS))
+    if (AGAA_HAS_FOOTPRINT || !agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS))
         agaa_setSpread(agaa_spreadOfSurface(pixel, shown, mask, position), position);
 #if AGAA_SHADOWS
     uint count = agaa_coverageCount(mask);
@@ -65,6 +65,7 @@ void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
     }
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);
+    agaa_lookUpFootprint(position);
 #endif
 }
 

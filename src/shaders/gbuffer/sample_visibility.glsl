@@ -25,6 +25,22 @@ void agaa_findSpread(uvec2 pixel, uint i, uint mask) {
     agaa_setSpread(sum * share, position);
 }
 
+// Finds the footprint of samples around their mean. Returns the mean.
+vec3 agaa_findFootprint(uvec2 pixel, uint mask) {
+    vec3 first = agaa_samplePosition(pixel, uint(findLSB(mask)));
+    vec3 mean = vec3(0.0);
+    agaa_beginFootprint();
+    for (uint rest = mask & (mask - 1u); rest != 0u; rest &= rest - 1u) {
+        vec3 away = agaa_samplePosition(pixel, uint(findLSB(rest))) - first;
+        agaa_addToFootprint(1.0, away);
+        mean += away;
+    }
+    float count = float(bitCount(mask));
+    mean /= count;
+    agaa_footprint = agaa_momentsAroundMean(agaa_footprint, count, mean);
+    return first + mean;
+}
+
 // Finds the visibility of all shadowed lights. Shadows end within surfaces, so they are looked up at each of the
 // samples that are shaded once, up to AGAA_SHADOW_TAPS.
 // mask   One or more samples with geometry.
@@ -43,6 +59,9 @@ void agaa_findVisibility(uvec2 pixel, uint mask) {
     while (++j < taps);
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);
+#if AGAA_HOST_FOOTPRINTS
+    agaa_lookUpFootprint(agaa_findFootprint(pixel, mask));
+#endif
 #endif
 }
 #endif

@@ -24,7 +24,7 @@ void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_PositionSums
     vec3 squares = spread.x * u * u + spread.y * v * v + 2.0 * spread.z * u * v;
     float total = 1.0 + max(squares.x + squares.y + squares.z, 0.0);
     m.normal += sums.weight * inversesqrt(total) * n;
-    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean) {
+    if (AGAA_KEEPS_MOMENTS) {
         float share = sums.weight / total;
         agaa_addSecondMoments(m.moments, share, n);
         m.moments.squares += share * squares;

@@ -3,7 +3,7 @@
 // Heitz 2014, "Understanding the Masking-Shadowing Function" (height-correlated Smith); Schlick
 // 1994; Blinn 1977; Ashikhmin and Shirley 2000; hard cases 8 and 58. The rectified diffuse is of no paper. It
 // approximates the mean of max(n.l, 0) over Toksvig's distribution in closed form; tests/math/functions_test.cpp
-// compares it with means over random normals.
+// compares it with means over random normals. Filters of the diffuse term are those of section 3.5.2.
 #ifndef AGAA_MATH_BRDF_GLSL
 #define AGAA_MATH_BRDF_GLSL
 #include "ndf.glsl"
@@ -137,6 +137,35 @@ real agaa_rectifiedDiffuse(real NoL_mean, real noL_unit, real meanLength) {
             // The value is the same. NoL_mean + root would cancel for a mean that faces away.
             d = real(0.5) * spread / (root - NoL_mean);
         }
+    }
+    return d;
+}
+
+// Returns the mean of max(n.l, 0) over a von Mises-Fisher distribution of normals whose mean has this length. Wide
+// distributions take the first spherical harmonics of the cosine, whose factors are 1, len and 2 len^2 / (3 - len^2),
+// narrow ones the fit of Hill (in Pettineo 2016, "SG Series Part 3: Diffuse Lighting From an SG Light Source").
+real agaa_misesFisherDiffuse(real noL_unit, real meanLength) {
+    const real len = agaa_saturate(meanLength);
+    const real c = clamp(noL_unit, real(-1.0), real(1.0));
+    const real spread = real(1.0) - len * len;
+    real d = max(c, real(0.0));
+    if (spread > real(1e-6)) {
+        const real second = real(2.0) * len * len / (real(3.0) - len * len);
+        const real wide = real(0.25) + real(0.5) * len * c +
+                          real(0.3125) * second * (real(1.5) * c * c - real(0.5));
+        // The sharpness of a distribution of this length (Banerjee et al. 2005). Below 1, `narrow` has no share.
+        const real sharpness = max(len * (real(3.0) - len * len) / spread, real(1.0));
+        const real inverse = real(1.0) / sharpness;
+        const real once = exp(-sharpness);
+        const real twice = once * once;
+        const real scale = real(1.0) + real(2.0) * twice - inverse;
+        const real bias = (once - twice) * inverse - twice;
+        const real x = sqrt(max(real(1.0) - scale, real(0.0)));
+        const real x0 = real(0.36) * c;
+        const real x1 = real(0.25) / real(0.36) * x;
+        const real y = abs(x0) <= x1 ? agaa_sq(x0 + x1) / x : agaa_saturate(c);
+        const real narrow = max(scale * y + bias, real(0.0));
+        d = mix(wide, narrow, agaa_saturate((len - real(0.5)) * real(4.0)));
     }
     return d;
 }

@@ -102,13 +102,16 @@ real agaa_ellipticLobe(agaa_Surface s, rvec3 n, rvec3 v, rvec3 l, rvec3 h, uint 
 }
 
 // Returns the diffuse term times cosine for unit radiance from l, a unit vector away from the surface.
+// filterDiffuse   AGAA_FILTER_DIFFUSE, except for SGGX.
 rvec3 agaa_shadeDiffuse(agaa_Surface s, rvec3 l, uint filterDiffuse) {
     const rvec3 n = clamp(s.normal, real(-1.0), real(1.0));
     const rvec3 toLight = clamp(l, real(-1.0), real(1.0));
     const rvec3 albedo = clamp(s.diffuse, real(0.0), real(1.0));
     const real noL = clamp(dot(n, toLight), real(-1.0), real(1.0));
     real diffuse = max(noL, real(0.0));
-    if (filterDiffuse != 0u) {
+    if (filterDiffuse == agaa_diffuseMisesFisher) {
+        diffuse = agaa_misesFisherDiffuse(noL, s.meanLength);
+    } else if (filterDiffuse != 0u) {
         diffuse = agaa_rectifiedDiffuse(noL * agaa_saturate(s.meanLength), noL, s.meanLength);
     }
     diffuse = diffuse / agaa_pi();
@@ -152,6 +155,28 @@ rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse
     }
     return rvec3(diffuse.x + fresnel.x * lobe, diffuse.y + fresnel.y * lobe,
                  diffuse.z + fresnel.z * lobe);
+}
+
+// Returns the variance of the direction to a light over the positions of a surface, of both axes across the direction
+// together, [0, 1).
+// positions   Second moments around the position.
+// d           From the position to the light.
+real agaa_directionVariance(agaa_SecondMoments positions, rvec3 d) {
+    const real d2 = dot(d, d);
+    const real trace = positions.squares.x + positions.squares.y + positions.squares.z;
+    const real along = d2 > real(0.0) ? agaa_momentAlong(positions, d, d) / d2 : real(0.0);
+    const real across = max(trace - along, real(0.0));
+    // A light within the surface is in all directions: the mean of its squared distance is d2 + trace.
+    return across > real(0.0) ? across / (d2 + across) : real(0.0);
+}
+
+// Widens the lobes of a surface for a light whose direction varies, as if the normals did (AGAA 3.5.2). The half vector
+// turns by half of the angle, and alpha2 is twice the variance of slopes in one direction.
+void agaa_addDirectionVariance(INOUT(agaa_Surface) s, real variance) {
+    s.meanLength = s.meanLength * sqrt(max(real(1.0) - variance, real(0.0)));
+    const real widening = real(0.25) * variance;
+    s.alpha2 = min(s.alpha2 + widening, real(1.0));
+    s.alpha2Along = s.alpha2Along > real(0.0) ? min(s.alpha2Along + widening, real(1.0)) : real(0.0);
 }
 
 #endif

@@ -17,6 +17,9 @@
 #define agaa_ndfNone 0u
 #define agaa_ndfLean 2u
 #define agaa_ndfSggx 3u
+// Values of AGAA_FILTER_DIFFUSE: 1 + AgaaDiffuseFilter, or 0 for no filter.
+#define agaa_diffuseMisesFisher 2u
+#define agaa_diffuseSggx 3u
 
 // alpha >= .002025: below, D overflows half floats and loses its digits in single precision.
 real agaa_minAlpha2() {

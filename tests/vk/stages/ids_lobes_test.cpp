@@ -71,6 +71,59 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
     }
 }
 
+// Each filter of the diffuse term comes nearer to shading every sample than none, by the same amount in all tiers:
+// aggregates in memory have the moments of those that are shaded at once.
+TEST(IdsLobes, FiltersOfTheDiffuseTermAgreeInAllTiers) {
+    StageContext context;
+    std::vector<Triangle> triangles;
+    for (uint32_t strip = 0; strip < 600; ++strip) {
+        const float y0 = -6 + 0.02f * float(strip), y1 = y0 + 0.02f;
+        const float tilt = 2.8f * (float(strip * 2654435761u >> 8 & 0xFFFFu) / 65535.0f - 0.5f);
+        Triangle triangle;
+        triangle.material.normal = glm::vec4(0, std::sin(tilt), std::cos(tilt), 1);
+        triangle.material.diffuse = glm::vec4(0.8f, 0.6f, 0.4f, 1);
+        const glm::vec3 corners[] = {{-8, y0, -5}, {8, y0, -5}, {8, y1, -5}, {-8, y1, -5}};
+        for (const auto& three : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+            for (int i = 0; i < 3; ++i)
+                triangle.position[i] = corners[three[size_t(i)]];
+            triangles.push_back(triangle);
+        }
+    }
+    const auto mean = [&](const char* technique, uint32_t tier, uint64_t flags, uint32_t filter,
+                          uint64_t measured = 0) {
+        ViewSettings settings = settingsFor(8, 1, tier);
+        settings.config.technique = technique;
+        settings.config.flags |= flags;
+        settings.config.measurement.diffuseFilter = filter;
+        settings.config.measurement.flags = measured;
+        settings.facts.flags &= ~AGAA_FACT_SPECULAR;
+        harness::Image image;
+        if (tier == AGAA_TIER_IDS) {
+            image = IdsView(context, settings, {.triangles = triangles}).render();
+        } else {
+            StageView view(context, settings);
+            image = drawn(view, triangles);
+        }
+        double sum = 0;
+        for (size_t p = 0; p < image.pixelCount(); ++p)
+            sum += double(image.rgb[3 * p]) / double(image.pixelCount());
+        return sum;
+    };
+    const double truth = mean("ssaa", AGAA_TIER_AUTO, 0, AGAA_DIFFUSE_RECTIFIED);
+    const double plain =
+        mean("agaa", AGAA_TIER_GBUFFER, 0, AGAA_DIFFUSE_RECTIFIED, AGAA_MEASURE_NO_DIFFUSE_FILTER) / truth;
+    for (const uint32_t filter : {AGAA_DIFFUSE_RECTIFIED, AGAA_DIFFUSE_MISES_FISHER, AGAA_DIFFUSE_SGGX}) {
+        const double atOnce = mean("agaa", AGAA_TIER_GBUFFER, 0, filter) / truth;
+        std::printf("filter %u: %.4f of the light, without filter %.4f\n", filter, atOnce, plain);
+        EXPECT_LT(std::fabs(atOnce - 1), 0.8 * std::fabs(plain - 1)) << filter;
+        for (const auto& [tier, flags] : {std::pair{AGAA_TIER_IDS, uint64_t(0)},
+                                          {AGAA_TIER_GBUFFER, AGAA_CONFIG_BUFFERED},
+                                          {AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED},
+                                          {AGAA_TIER_PER_SAMPLE, uint64_t(0)}})
+            EXPECT_NEAR(mean("agaa", tier, flags, filter) / truth, atOnce, 2e-3) << agaaTierName(tier) << ' ' << filter;
+    }
+}
+
 // A curved thing as flat triangles, by four times as many a step: their normals are those of one surface, at their
 // places.
 std::vector<Triangle> cut(std::vector<Triangle> triangles, int steps) {

@@ -115,6 +115,7 @@ struct Case {
     glm::mat4 projection = perspective(60, 1.5f, 0.1f, 100);
     glm::mat4 view{1};
     uint32_t shadowTaps = 0, shadingCost = 1;
+    uint32_t diffuseFilter = AGAA_DIFFUSE_RECTIFIED;
 };
 
 void expectOracle(const Case& c, std::vector<Triangle> scene) {
@@ -134,6 +135,7 @@ void expectOracle(const Case& c, std::vector<Triangle> scene) {
     settings.config.layout = &layout;
     settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS;
     settings.config.measurement.flags = c.flags;
+    settings.config.measurement.diffuseFilter = c.diffuseFilter;
     settings.projection = c.projection;
     settings.view = c.view;
     // Triangles are given as seen: into shading space.
@@ -225,8 +227,10 @@ TEST(Shading, AgreesForBothLobesLayoutsAndFilters) {
             expectOracle({.brdf = brdf, .layout = layout}, scene(33));
     expectOracle({.ndf = AGAA_NDF_NONE}, scene(33));
     for (uint64_t flag :
-         {AGAA_MEASURE_NO_DIFFUSE_FILTER, AGAA_MEASURE_NO_SHADOW_FILTER, AGAA_MEASURE_SHADOW_ALONG_DEPTH})
+         {AGAA_MEASURE_NO_DIFFUSE_FILTER, AGAA_MEASURE_NO_SHADOW_FILTER, AGAA_MEASURE_SHADOW_ALONG_DEPTH,
+          AGAA_MEASURE_SHADOW_COVARIANCE, AGAA_MEASURE_LIGHT_DIRECTIONS})
         expectOracle({.flags = flag}, scene(33));
+    expectOracle({.diffuseFilter = AGAA_DIFFUSE_MISES_FISHER}, scene(33));
     for (uint32_t taps : {1u, 3u, 32u})
         expectOracle({.samples = 16, .shadowTaps = taps}, scene(33));
     for (const char* technique : {"ssaa", "agaa"})
@@ -252,7 +256,8 @@ TEST(Shading, AgreesForOffCentreProjections) {
 TEST(Shading, AgreesForATurnedView) {
     const float c = std::cos(0.7f), s = std::sin(0.7f);
     const glm::mat4 turn(glm::mat3(c, s * 0.6f, s * 0.8f, 0, 0.8f, -0.6f, -s, c * 0.6f, c * 0.8f));
-    for (uint64_t flags : {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH})
+    for (uint64_t flags :
+         {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH, AGAA_MEASURE_SHADOW_COVARIANCE | AGAA_MEASURE_LIGHT_DIRECTIONS})
         expectOracle({.flags = flags, .view = turn}, scene(34));
 }
 

@@ -163,6 +163,23 @@ void testShadowBits(Test& test) {
     }
 }
 
+// Functions that look shadows up over footprints cannot tell the samples that light reaches.
+void testFootprints(Test& test) {
+    for (const uint32_t lit : {0u, 1u, 2u}) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.config.generationTier = AGAA_TIER_GBUFFER;
+        parts.facts.shadowMapCount = 2;
+        parts.chain(parts.shadow);
+        parts.shadow.shadows = 3;
+        parts.shadow.footprints = 2;
+        parts.aggregation.litShadows = lit;
+        if (lit == 2)
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "litShadows of a footprint", "footprints");
+        else
+            expectAccepted(test, parts, "footprints of a shadow");
+    }
+}
+
 // ---- lanes ---------------------------------------------------------------------------------------
 
 void testLanes(Test& test) {
@@ -296,6 +313,7 @@ void addHostFunctionCases(Suite& suite) {
     suite.core("AGAA_TIER_FRAGMENT_LISTS/AGAA_ERROR_UNSUPPORTED", testFragmentLists);
     suite.core("AGAA_TIER_FRAGMENTS/AGAA_ERROR_UNSUPPORTED", testFragments);
     suite.core("AgaaShadowFunction.shadows/range", testShadowBits);
+    suite.core("AgaaShadowFunction.footprints/AGAA_ERROR_UNSUPPORTED", testFootprints);
     suite.core("AGAA_FETCH_NOT_ALL_DRAWS/AGAA_ERROR_UNSUPPORTED", testNotAllDraws);
     suite.core("AgaaLanes/AGAA_ERROR_UNSUPPORTED", testLanes);
     suite.core("AgaaDebugView/AGAA_ERROR_UNSUPPORTED", testDebugViews);

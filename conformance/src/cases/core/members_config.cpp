@@ -359,8 +359,48 @@ void addMeasurement(Suite& suite) {
     addFlags(suite, {"AgaaMeasurement.flags/flags", "AgaaMeasurement::flags",
                      [](ViewParts& p, uint64_t flags) { p.measurement.flags = flags; },
                      AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
-                         AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING,
+                         AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING |
+                         AGAA_MEASURE_LIGHT_DIRECTIONS | AGAA_MEASURE_SHADOW_COVARIANCE,
                      nullptr});
+    addMember(suite, {"AgaaMeasurement.diffuseFilter/enum",
+                      "AgaaMeasurement::diffuseFilter",
+                      [](ViewParts& p, double x) { p.measurement.diffuseFilter = whole(x); },
+                      {AGAA_DIFFUSE_RECTIFIED, AGAA_DIFFUSE_SGGX},
+                      largeNumbers({}),
+                      nullptr,
+                      {AGAA_DIFFUSE_SGGX + 1}});
+    addMember(suite, {"AgaaMeasurement.reserved/zero",
+                      "AgaaMeasurement::reserved",
+                      [](ViewParts& p, double x) { p.measurement.reserved = whole(x); },
+                      {0},
+                      largeNumbers({}),
+                      nullptr,
+                      {1}});
+    suite.core("AGAA_MEASURE_SHADOW_COVARIANCE/AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) {
+        for (const uint64_t other : {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH, AGAA_MEASURE_NO_SHADOW_FILTER}) {
+            ViewParts parts(test.sdk, nullptr);
+            parts.measurement.flags = AGAA_MEASURE_SHADOW_COVARIANCE | other;
+            if (other)
+                expectViewRefused(test, parts, AGAA_ERROR_INVALID_ARGUMENT, "two places of shadow taps",
+                                  "SHADOW_COVARIANCE");
+            else
+                expectAccepted(test, parts, "AGAA_MEASURE_SHADOW_COVARIANCE");
+        }
+    });
+    suite.core("AGAA_DIFFUSE_SGGX/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
+        for (const bool isLit : {false, true}) {
+            ViewParts parts(test.sdk, nullptr);
+            parts.facts.shadowMapCount = 1;
+            parts.config.generationTier = AGAA_TIER_GBUFFER;
+            parts.measurement.diffuseFilter = AGAA_DIFFUSE_SGGX;
+            parts.aggregation.litShadows = isLit;
+            if (isLit)
+                expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "AGAA_DIFFUSE_SGGX and litShadows",
+                                  "litShadows");
+            else
+                expectAccepted(test, parts, "AGAA_DIFFUSE_SGGX");
+        }
+    });
 }
 
 } // namespace

@@ -81,10 +81,6 @@ void addFunctions(Suite& suite) {
     const auto gbuffer = [](ViewParts& p) { p.chain(p.gbuffer); };
     const auto fetch = [](ViewParts& p) { p.chain(p.fetch); };
     const auto shading = [](ViewParts& p) { p.chain(p.shading); };
-    const auto shadow = [](ViewParts& p) {
-        p.facts.shadowMapCount = 1;
-        p.chain(p.shadow);
-    };
     addMember(suite, {"AgaaGBufferFunction.samplePositions/range",
                       "AgaaGBufferFunction::samplePositions",
                       setPosition,
@@ -130,13 +126,6 @@ void addFunctions(Suite& suite) {
                       {0},
                       largeNumbers({}),
                       fetch,
-                      {1}});
-    addMember(suite, {"AgaaShadowFunction.reserved/zero",
-                      "AgaaShadowFunction::reserved",
-                      [](ViewParts& p, double x) { p.shadow.reserved = whole(x); },
-                      {0},
-                      largeNumbers({}),
-                      shadow,
                       {1}});
     const auto outputs = [](ViewParts& p) { p.chain(p.outputs); };
     addMember(suite, {"AgaaResolvedOutputs.count/range",

@@ -133,10 +133,10 @@ void addRanges(Rows& rows) {
         p.chain(p.fetch);
         p.fetch.maxDraws = 0;
     });
-    add("AgaaShadowFunction::reserved = 0x7FFFFFFF", "reserved", [](ViewParts& p) {
-        p.facts.shadowMapCount = 1;
+    add("AgaaShadowFunction::footprints = 2", "footprints", [](ViewParts& p) {
+        p.facts.shadowMapCount = 2;
         p.chain(p.shadow);
-        p.shadow.reserved = 0x7FFFFFFF;
+        p.shadow.footprints = 2;
     });
     add("AgaaShadingFunction::level = 2", "level", [](ViewParts& p) {
         p.chain(p.shading);

@@ -89,7 +89,7 @@ void build(PlanBuilder& b) {
     const bool hasSampleNormals = !byIds && !fromGBuffer && b.view().needsSampleNormals();
     sums.layout = hasSampleNormals ? twoPassLayout(b.view().layout, b.view().facts.flags) : b.view().layout;
     sums.packing = packAggregate(sums.layout, b.view().samples);
-    sums.spreadWords = b.view().config.ndf > AGAA_NDF_TOKSVIG ? AGAA_MOMENT_WORDS : 0;
+    sums.spreadWords = b.view().keepsNormalMoments() ? AGAA_MOMENT_WORDS : 0;
     sums.stride = sums.packing.words + sums.spreadWords;
     sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
     byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
