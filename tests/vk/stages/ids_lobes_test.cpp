@@ -6,22 +6,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace agaa::test {
 namespace {
 
-// Normals that spread in one direction, several to a pixel, shine in a streak; a lobe as wide in all directions blurs
-// it. In the mean along the streak, where samples do not tell, the elliptic one has the profile of shading every
-// sample.
-TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
-    StageContext context;
+// Strips of a wall, several to a pixel, whose normals tilt in one direction at random.
+std::vector<Triangle> strips(float angle, const std::function<void(Triangle&)>& change) {
     std::vector<Triangle> triangles;
     for (uint32_t strip = 0; strip < 600; ++strip) {
         const float y0 = -6 + 0.02f * float(strip), y1 = y0 + 0.02f;
-        const float tilt = 0.9f * (float(strip * 2654435761u >> 8 & 0xFFFFu) / 65535.0f - 0.5f);
+        const float tilt = angle * (float(strip * 2654435761u >> 8 & 0xFFFFu) / 65535.0f - 0.5f);
         Triangle triangle;
-        triangle.material.normal = glm::vec4(0, std::sin(tilt), std::cos(tilt), 0.01f);
-        triangle.material.specular = glm::vec4(0.9f, 0.8f, 0.5f, 0);
+        triangle.material.normal = glm::vec4(0, std::sin(tilt), std::cos(tilt), 1);
+        change(triangle);
         const glm::vec3 corners[] = {{-8, y0, -5}, {8, y0, -5}, {8, y1, -5}, {-8, y1, -5}};
         for (const auto& three : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
             for (int i = 0; i < 3; ++i)
@@ -29,6 +27,18 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
             triangles.push_back(triangle);
         }
     }
+    return triangles;
+}
+
+// Normals that spread in one direction, several to a pixel, shine in a streak; a lobe as wide in all directions blurs
+// it. In the mean along the streak, where samples do not tell, the elliptic one has the profile of shading every
+// sample.
+TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
+    StageContext context;
+    const std::vector<Triangle> triangles = strips(0.9f, [](Triangle& triangle) {
+        triangle.material.normal.w = 0.01f;
+        triangle.material.specular = glm::vec4(0.9f, 0.8f, 0.5f, 0);
+    });
     const auto profile = [&](const char* technique, uint32_t tier, uint32_t ndf, uint64_t flags = 0) {
         ViewSettings settings = settingsFor(8, 1, tier);
         settings.config.technique = technique;
@@ -75,20 +85,8 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
 // aggregates in memory have the moments of those that are shaded at once.
 TEST(IdsLobes, FiltersOfTheDiffuseTermAgreeInAllTiers) {
     StageContext context;
-    std::vector<Triangle> triangles;
-    for (uint32_t strip = 0; strip < 600; ++strip) {
-        const float y0 = -6 + 0.02f * float(strip), y1 = y0 + 0.02f;
-        const float tilt = 2.8f * (float(strip * 2654435761u >> 8 & 0xFFFFu) / 65535.0f - 0.5f);
-        Triangle triangle;
-        triangle.material.normal = glm::vec4(0, std::sin(tilt), std::cos(tilt), 1);
-        triangle.material.diffuse = glm::vec4(0.8f, 0.6f, 0.4f, 1);
-        const glm::vec3 corners[] = {{-8, y0, -5}, {8, y0, -5}, {8, y1, -5}, {-8, y1, -5}};
-        for (const auto& three : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
-            for (int i = 0; i < 3; ++i)
-                triangle.position[i] = corners[three[size_t(i)]];
-            triangles.push_back(triangle);
-        }
-    }
+    const std::vector<Triangle> triangles =
+        strips(2.8f, [](Triangle& triangle) { triangle.material.diffuse = glm::vec4(0.8f, 0.6f, 0.4f, 1); });
     const auto mean = [&](const char* technique, uint32_t tier, uint64_t flags, uint32_t filter,
                           uint64_t measured = 0) {
         ViewSettings settings = settingsFor(8, 1, tier);
