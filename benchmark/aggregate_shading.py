@@ -68,6 +68,7 @@ def error_table(scenes, rows, names):
     cells = [[scene["scene"], f"{scene[rows][DEFAULT]['mseTm']:.2e}",
               *(f"{scene[rows][row]['mseTm'] / max(scene[rows][DEFAULT]['mseTm'], 1e-12):.3f}" for row in names)]
              for scene in scenes]
+    cells.append(["median", "", *(f"{statistics.median(ratios(scenes, rows, row, 'mseTm')):.3f}" for row in names)])
     return table(["scene", "default: error", *names], cells)
 
 
