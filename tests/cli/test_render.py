@@ -197,7 +197,8 @@ class Render(unittest.TestCase):
         views = [options(technique) for technique in
                  ("single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")]
         views += [[*options("dcaa"), "--exact", "--fragments-per-pixel", "64"], [*ids, "--lit", "--samples", "32"],
-                  [*gbuffer, "--shadow-along-depth"], [*gbuffer, "--no-shadow-filter", "--aggregates", "4"],
+                  [*gbuffer, "--shadow-along-depth"], [*gbuffer, "--shadow-covariance"],
+                  [*gbuffer, "--no-shadow-filter", "--aggregates", "4"],
                   [*ids, "--samples", "32", "--shadow-taps", "4", "--fine-materials"],
                   ["--technique", "adaptive", "--equal-weights"]]
         for view in self.shared(views):

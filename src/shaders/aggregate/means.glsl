@@ -31,7 +31,9 @@ void agaa_setEventCustom(agaa_Means m) {
 // Sets the attributes of an event with means over its samples that functions of the host read.
 void agaa_setEventMeans(agaa_Means m) {
     agaa_setEventCustom(m);
+#ifdef AGAA_LIGHTING_GLSL // not in shaders of the host that read aggregates
     agaa_eventMoments = m.moments;
+#endif
 #ifdef AGAA_HOST_SHADING
     agaa_eventAlpha2 = m.alpha2;
 #endif
