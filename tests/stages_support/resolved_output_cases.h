@@ -170,13 +170,13 @@ TYPED_TEST_P(ResolvedOutputCases, ValuesAreThoseOfTheSamples) {
                 }
                 const double expected = double(inside) / tier.n;
                 const double behindIt = hasGround ? expected + (1 - expected) : expected;
-                compare("coverage by places", values[2][i].x, behindIt, 1e-6, i);
+                compare("coverage by places", values[2][i].x, behindIt, 1e-7, i);
                 compare("mean depth by places", values[1][i].x,
                         behindIt > 0 ? (expected * depthOf(Cases::panelDepth) +
                                         (hasGround ? 1 - expected : 0) * depthOf(Cases::groundDepth)) /
                                            behindIt
                                      : depthOf(1),
-                        1e-6, i);
+                        5e-7, i);
             }
             const double behind = hasGround ? double(groundLight) : double(Cases::background);
             const bool isInside = at.x >= 4 && at.x <= extent.x - 5 && at.y >= 3 && at.y <= extent.y - 4; // its centre

@@ -30,6 +30,13 @@ std::vector<Triangle> strips(float angle, const std::function<void(Triangle&)>& 
     return triangles;
 }
 
+harness::Image shown(StageContext& context, const ViewSettings& settings, const std::vector<Triangle>& triangles) {
+    if (settings.config.generationTier == AGAA_TIER_IDS)
+        return IdsView(context, settings, {.triangles = triangles}).render();
+    StageView view(context, settings);
+    return drawn(view, triangles);
+}
+
 // Normals that spread in one direction, several to a pixel, shine in a streak; a lobe as wide in all directions blurs
 // it. In the mean along the streak, where samples do not tell, the elliptic one has the profile of shading every
 // sample.
@@ -44,13 +51,7 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
         settings.config.technique = technique;
         settings.config.ndf = ndf;
         settings.config.flags |= flags;
-        harness::Image image;
-        if (tier == AGAA_TIER_IDS) {
-            image = IdsView(context, settings, {.triangles = triangles}).render();
-        } else {
-            StageView view(context, settings);
-            image = drawn(view, triangles);
-        }
+        const harness::Image image = shown(context, settings, triangles);
         std::vector<double> columns(image.width, 0.0);
         for (size_t p = 0; p < image.pixelCount(); ++p)
             columns[p % image.width] += double(image.rgb[3 * p]) / double(image.height);
@@ -95,13 +96,7 @@ TEST(IdsLobes, FiltersOfTheDiffuseTermAgreeInAllTiers) {
         settings.config.measurement.diffuseFilter = filter;
         settings.config.measurement.flags = measured;
         settings.facts.flags &= ~AGAA_FACT_SPECULAR;
-        harness::Image image;
-        if (tier == AGAA_TIER_IDS) {
-            image = IdsView(context, settings, {.triangles = triangles}).render();
-        } else {
-            StageView view(context, settings);
-            image = drawn(view, triangles);
-        }
+        const harness::Image image = shown(context, settings, triangles);
         double sum = 0;
         for (size_t p = 0; p < image.pixelCount(); ++p)
             sum += double(image.rgb[3 * p]) / double(image.pixelCount());
@@ -113,12 +108,12 @@ TEST(IdsLobes, FiltersOfTheDiffuseTermAgreeInAllTiers) {
     for (const uint32_t filter : {AGAA_DIFFUSE_RECTIFIED, AGAA_DIFFUSE_MISES_FISHER, AGAA_DIFFUSE_SGGX}) {
         const double atOnce = mean("agaa", AGAA_TIER_GBUFFER, 0, filter) / truth;
         std::printf("filter %u: %.4f of the light, without filter %.4f\n", filter, atOnce, plain);
-        EXPECT_LT(std::fabs(atOnce - 1), 0.8 * std::fabs(plain - 1)) << filter;
+        EXPECT_LT(std::fabs(atOnce - 1), 0.2 * std::fabs(plain - 1)) << filter;
         for (const auto& [tier, flags] : {std::pair{AGAA_TIER_IDS, uint64_t(0)},
                                           {AGAA_TIER_GBUFFER, AGAA_CONFIG_BUFFERED},
                                           {AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED},
                                           {AGAA_TIER_PER_SAMPLE, uint64_t(0)}})
-            EXPECT_NEAR(mean("agaa", tier, flags, filter) / truth, atOnce, 2e-3) << agaaTierName(tier) << ' ' << filter;
+            EXPECT_NEAR(mean("agaa", tier, flags, filter) / truth, atOnce, 5e-4) << agaaTierName(tier) << ' ' << filter;
     }
 }
 
