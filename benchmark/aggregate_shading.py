@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures how AGAA sections 3.5.2 and 3.5.3 filter the shading of aggregates: error, shadow taps and time of each rule.
+"""Measures how AGAA sections 3.5.2 and 3.5.3 filter the shading of aggregates: error, shadow taps and, without --turns 0, time of each rule.
 
 Errors (mseTm, docs/sweep.md) are against `ssaa` with the same samples, so that they are those of aggregation alone. A second
 picture of each scene has lights of short range near its surfaces. OUT/aggregate_shading.json and OUT/aggregate_shading.md have
@@ -55,7 +55,7 @@ class Picture:
         for turn in range(turns):  # interleaved: the load of a machine changes
             for i, row in enumerate(self.rows):
                 times[row].append(self.runs.kept(f"{self.name}-{i}-turn-{turn}", lambda: self.time(row)))
-        for row in self.rows:
+        for row in self.rows if turns else ():
             found[row]["frameMs"] = statistics.median(times[row])
         return found
 
@@ -73,16 +73,18 @@ def error_table(scenes, rows, names):
 
 
 def cost_table(scenes, rows, names):
-    cells = [[row, f"{statistics.median(ratios(scenes, rows, row, 'shadowTaps')):.2f}",
-              f"{statistics.median(ratios(scenes, rows, row, 'frameMs')):.3f}"] for row in names]
-    return table(["rule", "shadow taps", "time"], cells)
+    figures = {"shadow taps": "shadowTaps", "time": "frameMs"}
+    measured = {name: key for name, key in figures.items() if key in scenes[0][rows][DEFAULT]}
+    cells = [[row, *(f"{statistics.median(ratios(scenes, rows, row, key)):.2f}" for key in measured.values())] for row in names]
+    return table(["rule", *measured], cells)
 
 
 def document(scenes, arguments):
     device = scenes[0]["sun"][DEFAULT]["device"]
+    turns = f", times of {arguments.turns} turns" if arguments.turns else ""
     lines = ["# Rules for the shading of aggregates", "",
              f"Written by `benchmark/aggregate_shading.py` on {device}: `agaa` from a G-buffer, {arguments.size}, "
-             f"n = {arguments.samples}, c = {arguments.aggregates}, turns of times: {arguments.turns}. Errors are mean squares after "
+             f"n = {arguments.samples}, c = {arguments.aggregates}{turns}. Errors are mean squares after "
              "tone mapping against `ssaa` of the same n; rules are by the default, which filters the diffuse term in closed form and "
              "looks shadows up at samples.", "", *error_table(scenes, "sun", SUN), "", "Medians over the scenes, by the default:",
              "", *cost_table(scenes, "sun", SUN), "",

@@ -418,8 +418,8 @@ typedef enum AgaaLanes {
 typedef enum AgaaDiffuseFilter {
     AGAA_DIFFUSE_RECTIFIED = 0,    /* closed form that approximates the mean of max(n.l, 0) over Toksvig's round
                                       distribution */
-    AGAA_DIFFUSE_MISES_FISHER = 1, /* that mean over a von Mises-Fisher distribution with the same mean length. The
-                                      paper uses a formula of Baker and Hill 2012, whose slides do not print it */
+    AGAA_DIFFUSE_MISES_FISHER = 1, /* that mean over a von Mises-Fisher distribution with the same mean length, where
+                                      the paper has an approximation of Baker and Hill 2012 */
     AGAA_DIFFUSE_SGGX = 2,         /* mean of 8 normals of the SGGX distribution that face the eye (Heitz et al. 2015).
                                       Aggregates in memory have 20 bytes more. Excludes litShadows and the tier
                                       NV_MIXED_SAMPLES, and with layouts of folded roughness requires the tier
