@@ -115,9 +115,9 @@ def configurations():
         for n in (8, 32):
             add("agaa buffered", "agaa", n, "--aggregates", 4, "--gloss-weight", 0.5, "--buffered", tier=tier)
     for preset in ("paper", "fast", "balanced", "accurate"):
-        # The presets balanced and accurate weigh gloss, which two geometry passes do not support.
-        for tier in (*(TWO_PASSES if preset in ("paper", "fast") else ()), "gbuffer", "ids"):
-            for n in (4, 8, 16, 32):
+        for tier in (*TWO_PASSES, "gbuffer", "ids"):
+            # With two geometry passes, balanced and accurate differ by their lobes only.
+            for n in (8,) if tier in TWO_PASSES and preset in ("balanced", "accurate") else (4, 8, 16, 32):
                 add(preset, ["--preset", preset], n, tier=tier)
         add(preset, ["--preset", preset], 64, tier="fragments")
     for tier in ("lists", "material-lists"):

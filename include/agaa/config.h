@@ -458,12 +458,14 @@ AGAA_API void AGAA_CALL agaaInitMeasurement(AgaaMeasurement* outMeasurement, siz
  *               FINE_MATERIALS. All other members keep their values. If its layout, which is
  *               read, has AGAA_FILTER_CLASS, aggregates is one more than the preset has, up to 4.
  * aggregation   Receives aggregateThreshold, litShadows (the first shadow) and glossWeight. All other members keep
- *               their values. Chain it to config.
+ *               their values. Chain it to config. If config's generationTier, which is read, is a tier of two geometry
+ *               passes, litShadows and glossWeight are 0: it groups samples before it knows materials. litShadows is
+ *               0, too, if config's flags have BUFFERED.
  * measurement   Receives seeds and the flags of filters and routing. All other members keep their values. Chain it
  *               to config. It may be null for all presets except "paper".
  *
- * "balanced" and "accurate" need materials before samples are grouped: without an AgaaFetchFunction, the tier AUTO
- * selects GBUFFER.
+ * "balanced" and "accurate" group samples by their materials, if the tier can: without an AgaaFetchFunction, the tier
+ * AUTO selects GBUFFER.
  *
  * Errors        AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, or no preset has this name
  *               AGAA_ERROR_STRUCT             a struct is not initialised

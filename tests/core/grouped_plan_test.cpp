@@ -306,6 +306,33 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
     }
 }
 
+// Two geometry passes, and aggregates in memory, cannot have all of them.
+TEST(Presets, LeaveOutWhatATierCannotHave) {
+    struct Row {
+        uint32_t tier;
+        uint64_t flags;
+        bool splitsGloss, splitsByShadow;
+    };
+    for (const Row& row :
+         {Row{AGAA_TIER_AUTO, 0, true, true}, Row{AGAA_TIER_GBUFFER, 0, true, true},
+          Row{AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED, true, false}, Row{AGAA_TIER_PER_SAMPLE, 0, false, false},
+          Row{AGAA_TIER_POST_DEPTH_ATOMICS, 0, false, false}})
+        for (const char* name : {"balanced", "accurate"}) {
+            ViewSpec spec;
+            const AgaaFetchFunction fetch = fetchFunction();
+            spec.chained = row.tier == AGAA_TIER_IDS ? &fetch : nullptr;
+            spec.change = [&](TechniqueConfig& c) {
+                c.generationTier = row.tier;
+                c.flags |= row.flags;
+                ASSERT_EQ(c.applyPreset(name), AGAA_OK);
+            };
+            const Plan plan = planFor(spec, fourSampleDevice());
+            EXPECT_EQ(plan.view.aggregation.glossWeight > 0, row.splitsGloss) << name << row.tier;
+            EXPECT_EQ(plan.view.aggregation.litShadows != 0, row.splitsByShadow) << name << row.tier;
+            EXPECT_EQ(plan.view.config.ndf, uint32_t(AGAA_NDF_LEAN));
+        }
+}
+
 // A layout, with which a class is the last of four attachments.
 AgaaLayout layoutWithClass() {
     AgaaLayout layout = builtinLayout("precise");

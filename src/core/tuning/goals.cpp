@@ -160,6 +160,7 @@ AgaaChoice describe(const Candidate& chosen, const AgaaGoal& goal, const ChoiceM
 
 void applySettings(const ChoiceRow& row, AgaaConfig& config, AgaaAggregation& aggregation,
                    AgaaMeasurement* measurement) {
+    config.generationTier = row.tier; // which presets read
     if (*row.preset)
         applyPreset(row.preset, config, aggregation, measurement);
     else
@@ -168,7 +169,6 @@ void applySettings(const ChoiceRow& row, AgaaConfig& config, AgaaAggregation& ag
     config.samples = row.samples;
     config.aggregates = std::max(row.aggregates, 1u);
     config.visibilityTier = AGAA_TIER_AUTO;
-    config.generationTier = row.tier;
 }
 
 AgaaChoice chooseSettings(const TunedView& view, const AgaaGoal& goal, const AgaaObservation& observation,

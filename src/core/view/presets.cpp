@@ -60,6 +60,11 @@ bool hasClasses(const AgaaLayout* layout) {
     });
 }
 
+// Two geometry passes group samples before materials are known.
+bool knowsMaterials(uint32_t tier) {
+    return tier == AGAA_TIER_AUTO || tier == AGAA_TIER_IDS || tier == AGAA_TIER_FRAGMENTS || tier == AGAA_TIER_GBUFFER;
+}
+
 void apply(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
     const bool isDefault = preset.seeds == AGAA_SEEDS_MAXIMIN && preset.measurementFlags == 0;
     if (!measurement && !isDefault)
@@ -70,8 +75,10 @@ void apply(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregatio
     config.ndf = preset.ndf;
     config.flags = (config.flags & ~decided) | preset.flags;
     aggregation.aggregateThreshold = preset.threshold;
-    aggregation.litShadows = preset.litShadows;
-    aggregation.glossWeight = preset.glossWeight;
+    const bool groupsByMaterials = knowsMaterials(config.generationTier);
+    const bool shadesAtOnce = groupsByMaterials && !(config.flags & AGAA_CONFIG_BUFFERED);
+    aggregation.litShadows = shadesAtOnce ? preset.litShadows : 0;
+    aggregation.glossWeight = groupsByMaterials ? preset.glossWeight : 0;
     if (!measurement)
         return;
     measurement->seeds = preset.seeds;

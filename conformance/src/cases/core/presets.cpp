@@ -148,11 +148,37 @@ void testPresetKeepsOthers(Test& test) {
     }
 }
 
+// Presets leave out what the tier cannot have, so that the queries accept them.
+void testPresetFitsTier(Test& test) {
+    for (const char* name : presetNames)
+        for (const uint32_t tier :
+             {AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
+            for (const uint64_t flags : {UINT64_C(0), AGAA_CONFIG_BUFFERED}) {
+                ViewParts parts(test.sdk, nullptr);
+                parts.config.generationTier = tier;
+                parts.config.flags |= flags;
+                const std::string call = std::string("agaaApplyPreset(\"") + name + "\")";
+                test.requireOk(test.sdk.agaaApplyPreset(name, &parts.config, &parts.aggregation, &parts.measurement),
+                               call);
+                parts.chain(parts.fetch);
+                const std::string what = call + ", the tier " + std::to_string(tier) + " and the flags " +
+                                         std::to_string(parts.config.flags);
+                expectAccepted(test, parts, what);
+                const bool isTwoPasses = tier == AGAA_TIER_POST_DEPTH_ATOMICS || tier == AGAA_TIER_PER_SAMPLE;
+                const bool groups = std::string(name) == "balanced" || std::string(name) == "accurate";
+                test.check((parts.aggregation.glossWeight > 0) == (groups && !isTwoPasses), what + ": glossWeight");
+                test.check((parts.aggregation.litShadows != 0) == (groups && !isTwoPasses && !flags),
+                           what + ": litShadows");
+            }
+}
+
 // The result does not depend on the previous settings, and the queries accept it.
 void testPresetIsComplete(Test& test) {
     for (const char* name : presetNames) {
         ViewParts parts(test.sdk, nullptr);
         Settings pattern = patternSettings();
+        pattern.config.generationTier = AGAA_TIER_AUTO; // presets read it, and BUFFERED
+        pattern.config.flags &= ~AGAA_CONFIG_BUFFERED;
         const std::string call = std::string("agaaApplyPreset(\"") + name + "\")";
         test.requireOk(test.sdk.agaaApplyPreset(name, &parts.config, &parts.aggregation, &parts.measurement), call);
         test.requireOk(test.sdk.agaaApplyPreset(name, &pattern.config, &pattern.aggregation, &pattern.measurement),
@@ -242,6 +268,7 @@ void addPresetCases(Suite& suite) {
                [](Test& test) { testWrongLayoutCalls(test, AGAA_ERROR_LAYOUT); });
     suite.core("agaaApplyPreset/other_members", testPresetKeepsOthers);
     suite.core("agaaApplyPreset/all_settings", testPresetIsComplete);
+    suite.core("agaaApplyPreset/tiers", testPresetFitsTier);
     suite.core("agaaApplyPreset/measurement.null", testPresetMeasurementNull);
     for (const auto& [name, error] :
          {std::pair<const char*, AgaaResult>{"INVALID_ARGUMENT", AGAA_ERROR_INVALID_ARGUMENT},
