@@ -157,7 +157,8 @@ typedef enum AgaaShadingLevel { AGAA_SHADING_REFLECTANCE = 0, AGAA_SHADING_EVENT
  * and called once for each shading event: a sample, a fragment or an aggregate, whose means it receives in an
  * AgaaSurface. Positions and directions are in shading space. Negative results count as 0. Results that are not finite
  * count as 0 too; AgaaCounters::sanitised counts them. "msaa", which shades in the host's fragment shaders, has the
- * text in AgaaDrawPass::glslDeclarations: the host compiles it and binds its resources as those of its own shader. */
+ * text in AgaaDrawPass::glslDeclarations: the host binds its resources as those of its own shader. The library compiles
+ * it only to find errors when the view is created. */
 typedef struct AgaaShadingFunction {
     uint32_t sType;
     uint32_t structSize;

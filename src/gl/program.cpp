@@ -56,10 +56,10 @@ static void attachStage(const GladGLContext& gl, GLuint program, const StageText
 }
 
 GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages, const std::string& name,
-                   AgaaResult blame, bool isRetrievable) {
+                   AgaaResult blame, GLenum property) {
     const GLuint program = requireObject(gl, gl.CreateProgram(), "glCreateProgram");
-    if (isRetrievable)
-        gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
+    if (property)
+        gl.ProgramParameteri(program, property, GL_TRUE);
     try {
         for (const StageText& stage : stages)
             attachStage(gl, program, stage, name, blame);
@@ -75,6 +75,12 @@ GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> sta
         throw;
     }
     return program;
+}
+
+void checkFragment(const GladGLContext& gl, const std::string& text, const std::string& name) {
+    // Other programs need a vertex shader in compatibility profiles.
+    gl.DeleteProgram(
+        linkProgram(gl, {{GL_FRAGMENT_SHADER, text.c_str()}}, name, AGAA_ERROR_INVALID_ARGUMENT, GL_PROGRAM_SEPARABLE));
 }
 
 // Returns 0 if the driver refuses the binary, for example after an update that did not change its version string.
@@ -120,7 +126,8 @@ Compiled compilePass(Context& context, const Pass& pass) {
     const bool isImported = !pass.compute().hostCode.empty();
     const GLuint program =
         linkProgram(gl, {stage}, isImported ? pass.compute().hostCodeOrigin : "the pass " + pass.name,
-                    isImported ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_DEVICE, context.keepsPrograms);
+                    isImported ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_DEVICE,
+                    context.keepsPrograms ? GL_PROGRAM_BINARY_RETRIEVABLE_HINT : 0);
     if (context.keepsPrograms)
         keepBinary(gl, program, key, context.programs);
     return {program, false};

@@ -17,10 +17,12 @@ struct StageText {
     const char* text;
 };
 // If OpenGL reports an error, throws its code; otherwise throws `blame` with the compiler's first message. blame: the
-// default is for text of the SDK, which conforming drivers compile. isRetrievable: the binary of the program will be
-// read.
+// default is for text of the SDK, which conforming drivers compile. property: one of the program that is set to true,
+// as GL_PROGRAM_SEPARABLE, or 0.
 GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages, const std::string& name,
-                   AgaaResult blame = AGAA_ERROR_DEVICE, bool isRetrievable = false);
+                   AgaaResult blame = AGAA_ERROR_DEVICE, GLenum property = 0);
+// Throws AGAA_ERROR_INVALID_ARGUMENT if this fragment shader does not compile and link.
+void checkFragment(const GladGLContext& gl, const std::string& text, const std::string& name);
 // Compiles a compute pass, or loads its program from the context's cache.
 Compiled compilePass(Context& context, const Pass& pass);
 

@@ -26,6 +26,9 @@ View::View(Context& owner, Plan framePlan)
     try {
         resources.emplace(context, plan);
         hostPasses = makeHostPasses(plan, context.dialect);
+        for (const HostPass& pass : hostPasses)
+            if (!pass.functionCheck.empty())
+                checkFragment(context.gl, pass.functionCheck, pass.functionOrigin);
         createFramebuffers();
         addVariant(plan);
         positions = readPositions();

@@ -20,6 +20,9 @@ View::View(Context& device, Plan framePlan) : ViewState(device, std::move(frameP
     try {
         resources.emplace(context, plan);
         hostPasses = makeHostPasses(plan, context.dialect);
+        for (const HostPass& pass : hostPasses)
+            if (!pass.functionCheck.empty())
+                checkFragment(pass.functionCheck, pass.functionOrigin.c_str());
         barriers = stepBarriers(plan, steps, *resources, context.conditionalRendering);
         createPassObjects();
         writeStaticDescriptors();

@@ -383,7 +383,9 @@ TYPED_TEST_P(ShadingFunctionCases, FootprintsAreThoseOfSamples) {
             equal += std::fabs(spreads[i] - spreads[i + 1]) <= 0.01f * spreads[i + 1];
             wider += spreads[i + 1] > 1.01f * spreads[i];
         }
-        EXPECT_GT(equal, wider) << wider;
+        if (tier.technique != std::string("msaa")) { // which has no positionSpread
+            EXPECT_GT(equal, wider) << wider;
+        }
         const bool seesAllSamples = tier.technique == std::string("agaa") && tier.tier != AGAA_TIER_FRAGMENTS &&
                                     tier.visibility == AGAA_TIER_AUTO && // other sample positions
 
@@ -412,6 +414,33 @@ TYPED_TEST_P(ShadingFunctionCases, FootprintsAreThoseOfSamples) {
             }
         }
         EXPECT_GT(spread, 100u); // edges between surfaces at different depths
+    }
+}
+
+// A fragment of "msaa" has the footprint of the samples that it covers, as an aggregate of the same samples has.
+TYPED_TEST_P(ShadingFunctionCases, FootprintsOfFragmentsAreThoseOfTheirSamples) {
+    Shot shot = this->shot(1);
+    shot.change = {};
+    shot.triangles.resize(2); // apart from each other, at a slant
+    const glm::vec3 corners[] = {{-1.5f, -1, -3},   {-0.1f, -0.9f, -4}, {-0.8f, 1.2f, -9},
+                                 {0.2f, -1, -2.5f}, {1.4f, -0.8f, -2},  {0.9f, 1, -2.2f}};
+    for (size_t i = 0; i < std::size(corners); ++i)
+        shot.triangles[i / 3].position[i % 3] = corners[i];
+    // With a texel per pixel, a fragment covers the samples of a triangle that a pixel has.
+    const TechniqueTier fragments{.technique = "msaa", .n = 4}, aggregates{.technique = "agaa", .n = 4};
+    const auto shown = [&](const TechniqueTier& tier, const char* value) {
+        ViewSettings settings = this->settingsOf(tier, 1);
+        settings.config.aggregates = 1;
+        settings.view = glm::rotate(glm::mat4(1), 0.1f, glm::normalize(glm::vec3(1, 2, 0.5f)));
+        const std::string glsl = "vec3 agaaShade(AgaaSurface s) { return " + std::string(value) + "; }\n";
+        return this->showWith(settings, shot, glsl.c_str(), AGAA_SHADING_EVENT).rgb;
+    };
+    for (const char* value :
+         {"1000.0 * s.positionSquares", "500.0 + 1000.0 * s.positionProducts", "vec3(1000.0 * s.depthVariance)"}) {
+        const std::vector<float> ofFragments = shown(fragments, value), of = shown(aggregates, value);
+        ASSERT_GT(sumOf(of), 100);
+        for (size_t i = 0; i < of.size(); ++i)
+            ASSERT_NEAR(ofFragments[i], of[i], 0.004f * (1 + std::fabs(of[i]))) << value << ' ' << i;
     }
 }
 
@@ -491,13 +520,15 @@ TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
         {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& f) { f.reserved = 1; }},
         {"size", AGAA_ERROR_STRUCT, [](auto& f) { f.structSize = 8; }},
     };
-    for (const Row& row : rows) {
-        AgaaShadingFunction function = shadingFunction(builtInEvent, AGAA_SHADING_EVENT);
-        row.spoil(function);
-        ViewSettings settings;
-        settings.chained = &function;
-        expectRefused(this->context, settings, row.code, row.what);
-    }
+    for (const Row& row : rows)
+        for (const char* technique : {"agaa", "msaa"}) { // whose function the host compiles, too
+            AgaaShadingFunction function = shadingFunction(builtInEvent, AGAA_SHADING_EVENT);
+            row.spoil(function);
+            ViewSettings settings;
+            settings.config.technique = technique;
+            settings.chained = &function;
+            expectRefused(this->context, settings, row.code, row.what);
+        }
     AgaaLayout layout = layoutWithVelocity();
     layout.attributes[layout.attributeCount - 1].name = "coverage";
     const AgaaShadingFunction valid = shadingFunction(builtInEvent, AGAA_SHADING_EVENT);
@@ -510,18 +541,21 @@ TYPED_TEST_P(ShadingFunctionCases, BadOnesAreRefusedInASentence) {
     // Messages of the compiler count the host's lines.
     const AgaaShadingFunction function =
         shadingFunction("vec3 agaaShade(AgaaSurface s) {\n    return s.noSuchMember;\n}\n", AGAA_SHADING_EVENT);
-    ViewSettings settings;
-    settings.chained = &function;
-    const std::string text = expectRefused(this->context, settings, AGAA_ERROR_INVALID_ARGUMENT, "no such member");
-    EXPECT_NE(text.find("AgaaShadingFunction::glsl"), std::string::npos) << text;
-    EXPECT_TRUE(text.find("0:2") != std::string::npos || text.find(":2(") != std::string::npos) << text;
+    for (const char* technique : {"agaa", "msaa"}) {
+        ViewSettings settings;
+        settings.config.technique = technique;
+        settings.chained = &function;
+        const std::string text = expectRefused(this->context, settings, AGAA_ERROR_INVALID_ARGUMENT, "no such member");
+        EXPECT_NE(text.find("AgaaShadingFunction::glsl"), std::string::npos) << text;
+        EXPECT_TRUE(text.find("0:2") != std::string::npos || text.find(":2(") != std::string::npos) << text;
+    }
     TypeParam::forgetMessages();
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ShadingFunctionCases, TheLibrarysModelShowsTheSame, ShadowsAreThoseOfTheLibrary,
                             ShadowsOfFootprintsAreLookedUpOnce, TheTextbooksModelAgrees, EventsKnowWhatTheyRepresent,
                             MasksLeaveHalfOfTheSamples, MomentsAreThoseOfUnitNormals, FootprintsAreThoseOfSamples,
-                            CustomAttributesAreMeansAsOthers, ResultsAreContainedAndCounted,
-                            BadOnesAreRefusedInASentence);
+                            FootprintsOfFragmentsAreThoseOfTheirSamples, CustomAttributesAreMeansAsOthers,
+                            ResultsAreContainedAndCounted, BadOnesAreRefusedInASentence);
 
 } // namespace agaa::test

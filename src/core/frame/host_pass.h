@@ -22,10 +22,14 @@ struct ColorAttachment {
 // Data of a host pass that does not depend on the graphics API. makeHostPasses() (core/glsl/host_glsl.h) creates it.
 struct HostPass {
     uint64_t pipelineKey = 0;
-    std::string extensions;              // GLSL
-    std::string declarations;            // GLSL
-    std::string geometry;                // GLSL; empty unless the pass expands primitives in a geometry shader
-    std::string vertex;                  // GLSL; empty unless the pass pulls vertices
+    std::string extensions;   // GLSL
+    std::string declarations; // GLSL
+    std::string geometry;     // GLSL; empty unless the pass expands primitives in a geometry shader
+    std::string vertex;       // GLSL; empty unless the pass pulls vertices
+    // A fragment shader with the function of the host that the declarations contain. Backends compile it and do not use
+    // it, so that its errors fail the view. Empty if there is no function.
+    std::string functionCheck;
+    std::string functionOrigin;          // the public member that holds the function, for messages
     std::vector<ColorAttachment> colors; // in the order of attachments
     Format depthFormat = Format::None;   // None if there is no depth attachment
     // The resources that the texts declare. The first agaaGetGlslResources() sets them.

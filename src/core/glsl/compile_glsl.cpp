@@ -49,26 +49,43 @@ std::string preprocess(const std::string& text) {
     return out;
 }
 
+namespace {
+
+// A stage that compiled and linked.
+class LinkedStage {
+public:
+    LinkedStage(const std::string& text, EShLanguage stage, const char* what) : shader_(stage) {
+        const auto refuse = [&](const char* log) {
+            fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s does not compile: %s.", what, firstLine(log).c_str()));
+        };
+        const char* source = text.c_str();
+        shader_.setStrings(&source, 1);
+        setVulkan(shader_, stage);
+        if (!shader_.parse(GetDefaultResources(), 450, false, messages))
+            refuse(shader_.getInfoLog());
+        program_.addShader(&shader_);
+        if (!program_.link(messages))
+            refuse(program_.getInfoLog());
+    }
+    const glslang::TIntermediate& intermediate() const { return *program_.getIntermediate(shader_.getStage()); }
+
+private:
+    GlslCompilerUse use_;
+    glslang::TShader shader_; // outlives the program
+    glslang::TProgram program_;
+};
+
+} // namespace
+
 std::vector<uint32_t> compileCompute(const std::string& text, const char* what) {
-    const GlslCompilerUse use;
-    const auto refuse = [&](const char* log) {
-        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s does not compile: %s.", what, firstLine(log).c_str()));
-    };
-    glslang::TShader shader(EShLangCompute);
-    const char* source = text.c_str();
-    shader.setStrings(&source, 1);
-    setVulkan(shader, EShLangCompute);
-    if (!shader.parse(GetDefaultResources(), 450, false, messages))
-        refuse(shader.getInfoLog());
-    glslang::TProgram program;
-    program.addShader(&shader);
-    if (!program.link(messages))
-        refuse(program.getInfoLog());
+    const LinkedStage stage(text, EShLangCompute, what);
     std::vector<uint32_t> words;
     glslang::SpvOptions options;
     options.disableOptimizer = true; // the host waits for the compilation
-    glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words, &options);
+    glslang::GlslangToSpv(stage.intermediate(), words, &options);
     return words;
 }
+
+void checkFragment(const std::string& text, const char* what) { LinkedStage(text, EShLangFragment, what); }
 
 } // namespace agaa

@@ -20,6 +20,9 @@ public:
 // Throws AGAA_ERROR_INVALID_ARGUMENT with the compiler's first message. `what` begins the sentence.
 std::vector<uint32_t> compileCompute(const std::string& text, const char* what);
 
+// Throws AGAA_ERROR_INVALID_ARGUMENT like compileCompute() if this fragment shader does not compile.
+void checkFragment(const std::string& text, const char* what);
+
 // Returns the text with its conditions decided and its macros expanded. Throws
 // AGAA_ERROR_INVALID_ARGUMENT with the first message.
 std::string preprocess(const std::string& text);

@@ -401,6 +401,11 @@ static HostPass makeHostPass(const Plan& plan, const Pass& pass, const HostDiale
     out.geometry = hostGeometry(plan, pass, dialect);
     out.vertex = hostVertex(plan, pass, dialect);
     out.colors = colorAttachments(plan, pass);
+    if (pass.draw().id == AGAA_DRAW_PASS_FORWARD && plan.view.shadingFunction) {
+        out.functionOrigin = "AgaaShadingFunction::glsl";
+        out.functionCheck = format("#version %u\n", dialect.glslVersion) + out.extensions + out.declarations +
+                            "void main() { agaa_emit(agaa_surfaceInput()); }\n";
+    }
     if (pass.draw().depthTarget != noResource)
         out.depthFormat = plan.resources[pass.draw().depthTarget].format;
     return out;

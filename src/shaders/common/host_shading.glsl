@@ -23,9 +23,9 @@ struct AgaaSurface {
     vec3 normalProducts;  // means of yz, zx and xy
     vec3 position;        // mean over the samples, or that of the sample that represents them
     float positionSpread; // mean squared distance of the samples from it, at most the squared width of a pixel there.
-    // Footprint of the event: second moments of its samples' positions around `position`, without a bound. Events of
-    // one sample, of "msaa" and with AGAA_ADAPTIVE_EQUAL_WEIGHTS have none (0); fragments of lists and surfaces of
-    // "dcaa" have those of four of their samples.
+    // Footprint of the event: second moments of its samples' positions around `position`, in "msaa" around their mean,
+    // without a bound. Events of one sample and with AGAA_ADAPTIVE_EQUAL_WEIGHTS have none (0); fragments of lists and
+    // surfaces of "dcaa" have those of four of their samples.
     vec3 positionSquares;  // means of xx, yy and zz
     vec3 positionProducts; // means of yz, zx and xy
     float depthVariance;   // the moment along the view's axis: the variance of depth where `position` is the mean

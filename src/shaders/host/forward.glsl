@@ -35,7 +35,31 @@ uint agaa_coveredSamples(uint kept) {
     return (uint(gl_SampleMaskIn[0]) & kept) << agaa_hostGroup() * uint(AGAA_HW_SAMPLES);
 }
 
+// Sets the footprint of the samples of this texel that the fragment covers. They lie on the plane of its depth.
+// slope   Change of depth per texel.
+void agaa_setFragmentFootprint(uint covered, vec2 slope) {
+    vec2 perTexel = 2.0 / vec2(agaa_frame.size * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y));
+    vec2 centre = floor(gl_FragCoord.xy) + 0.5;
+    vec3 first = vec3(0.0), mean = vec3(0.0);
+    agaa_beginFootprint();
+    for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
+        vec2 offset = agaa_sampleOffset(uint(findLSB(rest)));
+        float depth = clamp(gl_FragCoord.z + dot(slope, offset), 0.0, 1.0);
+        float z = agaa_viewZFromDepth(depth, agaa_frame.projection22, agaa_frame.projection32,
+                                      agaa_isOrthographic());
+        vec3 at = agaa_viewPosition((centre + offset) * perTexel - 1.0, z, agaa_frame.projectionScale.x,
+                                    agaa_frame.projectionScale.y, agaa_frame.projectionOffset.x,
+                                    agaa_frame.projectionOffset.y, agaa_isOrthographic());
+        first = rest == covered ? at : first;
+        agaa_addToFootprint(1.0, at - first);
+        mean += at - first;
+    }
+    float count = float(max(bitCount(covered), 1));
+    agaa_endFootprintAroundMean(count, mean / count);
+}
+
 void agaa_emit(AgaaSurfaceInput s) {
+    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)); // in uniform control flow
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | (agaa_isFinite3(s.position) ? 0u : 1u);
     bool mayReachFarPlane = agaa_mayReachFarPlane();
     uint kept = 0xFFFFFFFFu;
@@ -49,6 +73,8 @@ void agaa_emit(AgaaSurfaceInput s) {
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, s.position);
 #endif
+        if (AGAA_HAS_FOOTPRINT)
+            agaa_setFragmentFootprint(uint(gl_SampleMaskIn[0]) & kept, slope);
         agaa_setEvent(agaa_hostPixel(), uvec4(agaa_coveredSamples(kept), 0u, 0u, 0u));
         agaa_Stored custom = agaa_storedSurface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec3(0.0));
         AGAA_STORE_CUSTOM(s, custom)
