@@ -17,7 +17,9 @@ SUN = {"no diffuse filter": ["--no-diffuse-filter"],
        "SGGX diffuse": ["--diffuse-filter", "sggx"],
        "one shadow tap": ["--no-shadow-filter"],
        "taps along depth": ["--shadow-along-depth"],
-       "taps along the covariance": ["--shadow-covariance"]}
+       "taps along the covariance": ["--shadow-covariance"],
+       "filtered maps": ["--filtered-shadows"]}
+OTHER_MAPS = "filtered maps"  # its errors are against `ssaa` with the same maps
 NEAR = {"light directions": ["--light-directions"]}
 DEFAULT = "default"
 
@@ -36,20 +38,25 @@ class Picture:
     def render(self, *more):
         return self.runs.call("render", *self.options, *more)
 
+    def reference(self, row):
+        """Renders the reference of a row once. Returns its file."""
+        more = self.rows[row] if row == OTHER_MAPS else []
+        file = self.runs.work / f"{self.name}{'-other-maps' if more else ''}.exr"
+        self.runs.kept(f"{file.stem}-reference", lambda: bool(self.render("--technique", "ssaa", *more, "--frames", 1, "--exr", file)))
+        return file
+
     def error(self, row):
         image = self.runs.work / "row.exr"
         done = self.render(*self.agaa, *self.rows[row], "--frames", 1, "--exr", image)
         return {"device": done["device"], "shadowTaps": done["counters"]["shadowTaps"],
                 "shadingEvents": done["counters"]["shadingEvents"],
-                "mseTm": self.runs.call("compare", self.runs.work / f"{self.name}.exr", image)["mseTm"]}
+                "mseTm": self.runs.call("compare", self.reference(row), image)["mseTm"]}
 
     def time(self, row):
         return self.render(*self.agaa, *self.rows[row], "--no-counters", "--no-timestamps", "--warmup", 1, "--frames",
                            3)["frameMs"]["median"]
 
     def measure(self, turns):
-        self.runs.kept(f"{self.name}-reference", lambda: bool(self.render(
-            "--technique", "ssaa", "--frames", 1, "--exr", self.runs.work / f"{self.name}.exr")))
         found = {row: self.runs.kept(f"{self.name}-{i}", lambda: self.error(row)) for i, row in enumerate(self.rows)}
         times = {row: [] for row in self.rows}
         for turn in range(turns):  # interleaved: the load of a machine changes
@@ -86,7 +93,8 @@ def document(scenes, arguments):
              f"Written by `benchmark/aggregate_shading.py` on {device}: `agaa` from a G-buffer, {arguments.size}, "
              f"n = {arguments.samples}, c = {arguments.aggregates}{turns}. Errors are mean squares after "
              "tone mapping against `ssaa` of the same n; rules are by the default, which filters the diffuse term in closed form and "
-             "looks shadows up at samples.", "", *error_table(scenes, "sun", SUN), "", "Medians over the scenes, by the default:",
+             "looks shadows up at samples. Filtered maps are exponential variance maps of the sample engine, which its shadow function "
+             "looks up once for an event (`AgaaShadowFunction::footprints`); their errors are against `ssaa` with the same maps.", "", *error_table(scenes, "sun", SUN), "", "Medians over the scenes, by the default:",
              "", *cost_table(scenes, "sun", SUN), "",
              f"With {arguments.lights} lights of short range, `AGAA_MEASURE_LIGHT_DIRECTIONS`:", "",
              *error_table(scenes, "near", NEAR), "", *cost_table(scenes, "near", NEAR)]

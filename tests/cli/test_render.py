@@ -385,6 +385,26 @@ class Render(unittest.TestCase):
                                             "gold").stderr)
 
     @on("vk")
+    def test_filtered_shadows_are_looked_up_once(self):
+        plain, filtered = self.path("plain.exr"), self.path("filtered.exr")
+        for technique in self.shared(("agaa", "ssaa", "sbaa", "adaptive", "dcaa", "simple_complex")):
+            with self.subTest(technique=technique):
+                maps = self.render(*options(technique), "--exr", plain, scene="city")["counters"]
+                lookups = self.render(*options(technique), "--filtered-shadows", "--exr", filtered, scene="city")["counters"]
+                self.assertEqual(lookups["shadowTaps"], lookups["shadingEvents"])
+                self.assertEqual(lookups["shadingEvents"], maps["shadingEvents"])
+                error = harness.data("compare", plain, filtered)["mseTm"]
+                self.render(*options(technique), "--without", "shadows", "--exr", filtered, scene="city")
+                self.assertLess(10 * error, harness.data("compare", plain, filtered)["mseTm"])  # a little light bleeds
+
+    @on("vk")
+    def test_filtered_shadows_are_equal_on_both_apis(self):
+        images = {backend: self.path(backend + ".exr") for backend in ("vk", "gl")}
+        for backend, image in images.items():
+            harness.data("render", "--backend", backend, "--scene", "city", "--size", "96x54", "--no-timestamps",
+                         "--filtered-shadows", "--exr", image)
+        self.assertLess(harness.data("compare", *images.values())["mseTm"], 1e-6)
+
     def test_environments_that_are_none(self):
         def refusal(name):
             result = harness.run("render", "--scene", "metal", "--environment", self.path(name))

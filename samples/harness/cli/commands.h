@@ -45,6 +45,7 @@ struct RenderArguments {
     std::string shadingLevel = "event";
     std::string environment;            // render, reference: an image file; empty: none
     std::vector<std::string> clearCoat; // render, reference: materials of the scene
+    bool filteredShadows = false;       // render
     std::vector<std::string> resolved;  // render: AgaaResolvedValue
     bool layers = false;                // render
     std::string motion = "still";       // render: of the scene

@@ -127,6 +127,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.shadingGlsl = readShadingFunction(arguments.shadingFunction);
     settings.shadingLevel = parseShadingLevel(arguments.shadingLevel);
     settings.environment = environmentOf(arguments);
+    settings.filtersShadows = arguments.filteredShadows;
     for (const std::string& name : arguments.resolved)
         settings.resolved.push_back(resolvedValue(name));
     settings.hasLayers = arguments.layers;

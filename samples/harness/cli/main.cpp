@@ -188,6 +188,8 @@ void run(int argc, char** argv) {
         ->delimiter(',')
         ->expected(1, 4)
         ->check(CLI::IsMember({"nearest-depth", "mean-depth", "normal", "coverage"}));
+    render->add_flag("--filtered-shadows", renderArguments.filteredShadows,
+                     "look shadows up once for each shading event, in maps that are filtered in advance");
     render->add_flag("--layers", renderArguments.layers,
                      "draw a transparent pane and particles over the image, by its mean depth and coverage");
     addMotionOption(*render, renderArguments.motion);

@@ -59,6 +59,14 @@ EnvironmentBindings GlRenderer::useEnvironment(const std::shared_ptr<const Envir
             "binding = " + std::to_string(GpuEnvironment::constantsBinding), 0};
 }
 
+FilteredShadowBindings GlRenderer::useFilteredShadows() {
+    device_.makeCurrent();
+    if (!filteredShadows_)
+        filteredShadows_.emplace(device_.gl());
+    return {"binding = " + std::to_string(GpuFilteredShadows::mapUnit),
+            "binding = " + std::to_string(GpuFilteredShadows::constantsBinding), 0};
+}
+
 AgaaView GlRenderer::useView(const AgaaViewDesc& desc) {
     device_.makeCurrent();
     view_ = &sdk_.view(desc);
@@ -78,6 +86,8 @@ void GlRenderer::prepare(const FrameInput& input) {
     while (resolved_.size() < resolvedValues(settings).size())
         resolved_.push_back(makeOutput());
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera, input.placement);
+    if (settings.filtersShadows && filteredShadows_)
+        filteredShadows_->update(shadowMaps_);
     for (const DrawPass<AgaaGlDrawPass>& pass : view_->passes) {
         programs_.prepare(pass, scene(), input.draws);
         if (pass.state.vertexPulling && !strips_)
@@ -99,6 +109,8 @@ void GlRenderer::setCamera(const FrameInput& input) {
     }
     if (environment_)
         environment_->bind();
+    if (filteredShadows_)
+        filteredShadows_->bind();
     device_.checkErrors("set the camera");
 }
 

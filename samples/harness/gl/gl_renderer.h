@@ -3,6 +3,7 @@
 
 #include "gl/gpu_environment.h"
 #include "gl/gpu_fetch.h"
+#include "gl/gpu_filtered_shadows.h"
 #include "gl/gpu_motion.h"
 #include "gl/gpu_strips.h"
 #include "gl/layers.h"
@@ -32,6 +33,7 @@ private:
     void upload() override;
     const AgaaFetchFunction* fetchFunction(bool coversByEdges) override;
     EnvironmentBindings useEnvironment(const std::shared_ptr<const Environment>& environment, bool inDraws) override;
+    FilteredShadowBindings useFilteredShadows() override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
     void setCamera(const FrameInput& input) override;
@@ -61,8 +63,9 @@ private:
     std::optional<gl::GpuFetch> fetch_;                    // set if a view fetches materials by id
     std::shared_ptr<const Environment> environmentSource_; // of environment_
     std::optional<gl::GpuEnvironment> environment_;
-    std::optional<gl::GpuStrips> strips_; // set if a pass pulls vertices
-    const gl::GlSdkView* view_ = nullptr; // view in use
+    std::optional<gl::GpuFilteredShadows> filteredShadows_; // set if a view filters them
+    std::optional<gl::GpuStrips> strips_;                   // set if a pass pulls vertices
+    const gl::GlSdkView* view_ = nullptr;                   // view in use
 };
 
 } // namespace harness

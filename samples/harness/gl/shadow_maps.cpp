@@ -30,6 +30,14 @@ void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene, const Rend
         shadows_.push_back(toAgaaShadow(fit));
     }
     key_ = std::move(key);
+    ++version_;
+}
+
+std::vector<float> ShadowMaps::readDepths(size_t shadow) const {
+    std::vector<float> depths(size_t(size_) * size_ * shadows_[shadow].layerCount);
+    gl_->GetTextureImage(maps_[shadow].get(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(depths.size() * sizeof(float)),
+                         depths.data());
+    return depths;
 }
 
 void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,

@@ -19,6 +19,11 @@ public:
 
     const std::vector<AgaaShadow>& shadows() const { return shadows_; }
     GLuint texture(size_t shadow) const { return maps_[shadow].get(); }
+    uint32_t size() const { return size_; } // width and height of a map
+    // Another number after each rendering of the maps.
+    uint64_t version() const { return version_; }
+    // Returns the depths of all layers of a map, row by row.
+    std::vector<float> readDepths(size_t shadow) const;
 
 private:
     void renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings, const glm::dvec3& eye,
@@ -34,6 +39,7 @@ private:
     std::vector<Texture> maps_;
     std::vector<AgaaShadow> shadows_;
     std::vector<double> key_; // key of the rendered maps
+    uint64_t version_ = 0;
 };
 
 } // namespace harness::gl

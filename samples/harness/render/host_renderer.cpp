@@ -138,6 +138,17 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
         shading.pNext = desc.pNext;
         desc.pNext = &shading;
     }
+    AgaaShadowFunction filtered = AGAA_SHADOW_FUNCTION_INIT;
+    std::string filteredText;
+    if (settings.filtersShadows && facts.shadowMapCount > 0) {
+        const FilteredShadowBindings bindings = useFilteredShadows();
+        filteredText = filteredShadowGlsl(bindings);
+        filtered.glsl = filteredText.c_str();
+        filtered.shadows = filtered.footprints = (1u << facts.shadowMapCount) - 1;
+        filtered.descriptorSetLayout = bindings.descriptorSetLayout;
+        filtered.pNext = desc.pNext;
+        desc.pNext = &filtered;
+    }
     AgaaResolvedOutputs resolved = AGAA_RESOLVED_OUTPUTS_INIT;
     if (const std::vector<AgaaResolvedValue> values = resolvedValues(settings); !values.empty()) {
         resolved.count = uint32_t(values.size());
@@ -233,6 +244,8 @@ void HostRenderer::placeFrame(FrameInput& input) {
         input.draws[i].isFetched = false;
     describeMotion(input);
     prepare(input);
+    if (settings.filtersShadows)
+        input.shadows = answeredByFunction(shadows());
 }
 
 // Draws that stand still have no motion of their own, except in an image of the motion.
@@ -293,7 +306,7 @@ AgaaFrame HostRenderer::describeFrame(const FrameInput& input) const {
     const bool isShadowed = !input.facts || input.facts->shadowMapCount > 0;
     frame.lights = isShadowed ? input.lights.data() : input.unshadowed.data();
     frame.lightCount = uint32_t(input.lights.size());
-    frame.shadows = shadows().data();
+    frame.shadows = input.shadows.empty() ? shadows().data() : input.shadows.data();
     frame.shadowCount = isShadowed ? uint32_t(shadows().size()) : 0;
     frame.facts = input.facts;
     std::copy_n(glm::value_ptr(input.settings.ambient), 3, frame.ambient);

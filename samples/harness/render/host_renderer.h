@@ -5,6 +5,7 @@
 #include "render/camera_matrices.h"
 #include "render/draw_list.h"
 #include "render/environment_glsl.h"
+#include "render/filtered_shadows.h"
 #include "render/sdk_log.h"
 
 #include <chrono>
@@ -32,6 +33,7 @@ protected:
         std::vector<AgaaLight> lights = {};
         std::vector<AgaaLight> unshadowed = {}; // lights without shadows
         const AgaaSceneFacts* facts = nullptr;  // facts of the frame; null: the facts of the view
+        std::vector<AgaaShadow> shadows = {};   // if functions of the view answer for all shadows
         std::vector<Draw> draws = {};
         bool useMasked = true;
     };
@@ -48,6 +50,8 @@ protected:
     virtual const AgaaFetchFunction* fetchFunction(bool coversByEdges) = 0;
     // Makes an environment available to the functions of the views, or, with inDraws, to the fragment shaders of draws.
     virtual EnvironmentBindings useEnvironment(const std::shared_ptr<const Environment>& environment, bool inDraws) = 0;
+    // Makes filtered shadow maps available to the functions of the views.
+    virtual FilteredShadowBindings useFilteredShadows() = 0;
     // Returns the view of a description. It runs before all other steps, so that the SDK reports unsupported settings.
     virtual AgaaView useView(const AgaaViewDesc& desc) = 0;
     // Creates the output, shadow maps and pipelines that the frames need. Called again when draws have changed.

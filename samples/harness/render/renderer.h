@@ -69,6 +69,7 @@ struct RenderSettings {
     AgaaShadingLevel shadingLevel = AGAA_SHADING_EVENT;
     std::vector<AgaaResolvedValue> resolved;        // AgaaResolvedOutputs, at most 4; not CUSTOM
     std::shared_ptr<const Environment> environment; // replaces `ambient` and shadingGlsl; null: none
+    bool filtersShadows = false;                    // in advance; see filtered_shadows.h
     bool hasLayers = false;                         // a transparent pane and particles over the image; see layers.h
 };
 

@@ -52,6 +52,14 @@ void addShadingFunction(Key& key, const AgaaShadingFunction& function) {
     key.add(function.descriptorSetLayout);
 }
 
+void addShadowFunction(Key& key, const AgaaShadowFunction& function) {
+    key.add(function.glsl);
+    key.add(function.glslExtensions);
+    key.add(function.shadows);
+    key.add(function.footprints);
+    key.add(function.descriptorSetLayout);
+}
+
 // Adds the chained functions. Returns false if the chain has another struct.
 bool addFunctions(Key& key, const AgaaViewDesc& desc) {
     for (auto* next = static_cast<const AgaaStructHeader*>(desc.pNext); next;
@@ -61,6 +69,8 @@ bool addFunctions(Key& key, const AgaaViewDesc& desc) {
             addFetchFunction(key, *reinterpret_cast<const AgaaFetchFunction*>(next));
         else if (next->sType == AGAA_STRUCTURE_TYPE_SHADING_FUNCTION)
             addShadingFunction(key, *reinterpret_cast<const AgaaShadingFunction*>(next));
+        else if (next->sType == AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION)
+            addShadowFunction(key, *reinterpret_cast<const AgaaShadowFunction*>(next));
         else
             return false;
     }

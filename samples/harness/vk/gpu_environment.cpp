@@ -1,5 +1,6 @@
 #include "vk/gpu_environment.h"
 
+#include "vk/gpu_filtered_shadows.h"
 #include "vk/gpu_scene.h"
 
 #include <cstring>
@@ -20,9 +21,12 @@ std::vector<MipLevel> bytesOf(const std::vector<HalfLevel>& levels) {
 
 } // namespace
 
-std::array<VkDescriptorSetLayoutBinding, 2> environmentLayoutBindings(VkShaderStageFlags stages) {
+std::array<VkDescriptorSetLayoutBinding, 4> environmentLayoutBindings(VkShaderStageFlags stages) {
+    static_assert(filteredShadowBinding == environmentBinding + 2);
     return {{{environmentBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, stages, nullptr},
-             {environmentBinding + 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, stages, nullptr}}};
+             {environmentBinding + 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, stages, nullptr},
+             {filteredShadowBinding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, stages, nullptr},
+             {filteredShadowBinding + 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, stages, nullptr}}};
 }
 
 DescriptorSetLayout makeEnvironmentLayout(const Device& device) {
@@ -42,13 +46,15 @@ GpuEnvironment::GpuEnvironment(const Device& device, VkDescriptorSetLayout layou
     std::memcpy(constants_.mapped, &environment.constants, sizeof environment.constants);
     // Shaders interpolate between levels themselves, because rows of levels have different places.
     sampler_ = makeSampler(device, {Wrap::Repeat, Wrap::Clamp, {Filter::Linear, Filter::Linear, MipFilter::Nearest}});
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1},
-                                          {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1}};
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2},
+                                          {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2}};
     set_ = DescriptorSet(device.get(), layout, sizes);
     write(set_.get());
+    // Any resource: lavapipe (Mesa 22.3) reads bindings that shaders do not use.
+    write(set_.get(), filteredShadowBinding);
 }
 
-void GpuEnvironment::write(VkDescriptorSet set) const {
+void GpuEnvironment::write(VkDescriptorSet set, uint32_t binding) const {
     const VkDescriptorImageInfo map{sampler_.get(), map_.view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     const VkDescriptorBufferInfo constants{constants_.buffer.get(), 0, VK_WHOLE_SIZE};
     VkWriteDescriptorSet writes[2]{};
@@ -57,10 +63,10 @@ void GpuEnvironment::write(VkDescriptorSet set) const {
         write.dstSet = set;
         write.descriptorCount = 1;
     }
-    writes[0].dstBinding = environmentBinding;
+    writes[0].dstBinding = binding;
     writes[0].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     writes[0].pImageInfo = &map;
-    writes[1].dstBinding = environmentBinding + 1;
+    writes[1].dstBinding = binding + 1;
     writes[1].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     writes[1].pBufferInfo = &constants;
     vkUpdateDescriptorSets(device_->get(), 2, writes, 0, nullptr);

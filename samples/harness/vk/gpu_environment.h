@@ -10,7 +10,8 @@ namespace harness::vk {
 // The map, then the constants, after the bindings of GpuFetch.
 constexpr uint32_t environmentBinding = 9;
 
-std::array<VkDescriptorSetLayoutBinding, 2> environmentLayoutBindings(VkShaderStageFlags stages);
+// The bindings of functions that shade: these, and those of GpuFilteredShadows.
+std::array<VkDescriptorSetLayoutBinding, 4> environmentLayoutBindings(VkShaderStageFlags stages);
 // Returns the layout of a set with these bindings alone: for views whose functions read nothing else, and for draws.
 DescriptorSetLayout makeEnvironmentLayout(const Device& device);
 
@@ -22,7 +23,7 @@ public:
 
     VkDescriptorSet set() const { return set_.get(); }
     // Writes the bindings of a set that has others too. No command that uses the set may be pending.
-    void write(VkDescriptorSet set) const;
+    void write(VkDescriptorSet set, uint32_t binding = environmentBinding) const;
 
 private:
     const Device* device_;

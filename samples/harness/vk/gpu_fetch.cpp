@@ -74,7 +74,7 @@ void GpuFetch::createSet() {
             return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
         return isTexels(binding) ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     };
-    std::array<VkDescriptorSetLayoutBinding, BindingCount + 2> bindings{};
+    std::array<VkDescriptorSetLayoutBinding, BindingCount + 4> bindings{};
     for (uint32_t i = 0; i < BindingCount; ++i)
         bindings[i] = {i, type(i), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
     // Functions of one view share a set.
@@ -86,9 +86,9 @@ void GpuFetch::createSet() {
     layout.pBindings = bindings.data();
     layout_ = make<DescriptorSetLayout>(device_->get(), vkCreateDescriptorSetLayout, layout,
                                         "create a descriptor set layout");
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 3},
                                           {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 4},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 5}};
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 6}};
     set_ = DescriptorSet(device_->get(), layout_.get(), sizes);
 
     const VkDescriptorBufferInfo camera{camera_.buffer.get(), 0, VK_WHOLE_SIZE};
@@ -96,7 +96,7 @@ void GpuFetch::createSet() {
     for (size_t i = 0; i < std::size(images); ++i)
         images[i] = {sampler_.get(), textures_[i].view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     const VkBufferView views[] = {drawTexels_.get(), materialTexels_.get(), vertexTexels_.get(), indexTexels_.get()};
-    std::array<VkWriteDescriptorSet, BindingCount + 2> writes{};
+    std::array<VkWriteDescriptorSet, BindingCount + 4> writes{};
     for (uint32_t i = 0; i < writes.size(); ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
         writes[i].dstSet = set_.get();

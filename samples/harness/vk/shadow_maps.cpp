@@ -4,10 +4,12 @@
 #include "render/lights.h"
 #include "render/shadow_fit.h"
 #include "embedded.h"
+#include "vk/barrier.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cstring>
 
 namespace harness::vk {
 
@@ -98,6 +100,30 @@ void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene, const Rend
         shadows_.push_back(toAgaaShadow(fit));
     }
     key_ = std::move(key);
+    ++version_;
+}
+
+std::vector<float> ShadowMaps::readDepths(size_t shadow) const {
+    const uint32_t layers = shadows_[shadow].layerCount;
+    std::vector<float> depths(size_t(size_) * size_ * layers);
+    Arena arena(*device_);
+    const BufferResource buffer =
+        arena.hostBuffer(depths.size() * sizeof(float), VK_BUFFER_USAGE_TRANSFER_DST_BIT, true);
+    const VkImage map = maps_[shadow].image.get();
+    constexpr ImageUse sampled{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                               VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    constexpr ImageUse read{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT,
+                            VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    device_->runCommands([&](VkCommandBuffer commands) {
+        imageBarrier(commands, map, VK_IMAGE_ASPECT_DEPTH_BIT, sampled, read);
+        VkBufferImageCopy copy{};
+        copy.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, layers};
+        copy.imageExtent = {size_, size_, 1};
+        vkCmdCopyImageToBuffer(commands, map, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer.get(), 1, &copy);
+        imageBarrier(commands, map, VK_IMAGE_ASPECT_DEPTH_BIT, read, sampled);
+    });
+    std::memcpy(depths.data(), buffer.mapped, depths.size() * sizeof(float));
+    return depths;
 }
 
 void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
@@ -111,7 +137,8 @@ void ShadowMaps::renderMap(const GpuScene& gpuScene, const Scene& scene, const R
     info.arrayLayers = uint32_t(layers.size());
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT; // for readDepths()
     maps_.push_back(arena_.image(info, VK_IMAGE_VIEW_TYPE_2D_ARRAY, VK_IMAGE_ASPECT_DEPTH_BIT));
 
     std::vector<ImageView> views;

@@ -11,6 +11,13 @@ namespace {
 
 constexpr VkDeviceSize chunkSize = VkDeviceSize(16) << 20;
 
+std::vector<const std::vector<MipLevel>*> pointersTo(const std::vector<std::vector<MipLevel>>& layers) {
+    std::vector<const std::vector<MipLevel>*> pointers;
+    for (const std::vector<MipLevel>& layer : layers)
+        pointers.push_back(&layer);
+    return pointers;
+}
+
 VkFormat rgba8(bool srgb) { return srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM; }
 
 } // namespace
@@ -48,11 +55,12 @@ ImageResource Uploader::halfTexture(Arena& arena, const std::vector<MipLevel>& l
     return sampledImage(arena, {&levels}, VK_FORMAT_R16G16B16A16_SFLOAT, VK_IMAGE_VIEW_TYPE_2D);
 }
 
+ImageResource Uploader::momentArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers) {
+    return sampledImage(arena, pointersTo(layers), VK_FORMAT_R32G32_SFLOAT, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
+}
+
 ImageResource Uploader::textureArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers, bool srgb) {
-    std::vector<const std::vector<MipLevel>*> pointers;
-    for (const std::vector<MipLevel>& layer : layers)
-        pointers.push_back(&layer);
-    return sampledImage(arena, pointers, rgba8(srgb), VK_IMAGE_VIEW_TYPE_2D_ARRAY);
+    return sampledImage(arena, pointersTo(layers), rgba8(srgb), VK_IMAGE_VIEW_TYPE_2D_ARRAY);
 }
 
 ImageResource Uploader::sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers,

@@ -18,6 +18,8 @@ public:
     ImageResource texture(Arena& arena, const std::vector<MipLevel>& levels, bool srgb);
     // Returns such an image of half floats; MipLevel::rgba holds 8 bytes per texel.
     ImageResource halfTexture(Arena& arena, const std::vector<MipLevel>& levels);
+    // Returns such an image of two floats a texel, with layers of one size; MipLevel::rgba holds 8 bytes per texel.
+    ImageResource momentArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers);
     // Returns an RGBA8 image with layers of one size, for compute shaders.
     ImageResource textureArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers, bool srgb);
 

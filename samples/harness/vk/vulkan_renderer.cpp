@@ -88,6 +88,14 @@ EnvironmentBindings VulkanRenderer::useEnvironment(const std::shared_ptr<const E
     return bindings;
 }
 
+FilteredShadowBindings VulkanRenderer::useFilteredShadows() {
+    if (!filteredShadows_)
+        filteredShadows_.emplace(device_, environmentLayout_.get());
+    const std::string at = "set = " + std::to_string(functionSetIndex) + ", binding = ";
+    return {at + std::to_string(filteredShadowBinding), at + std::to_string(filteredShadowBinding + 1),
+            fetch_ ? fetch_->function().descriptorSetLayout : (uint64_t)environmentLayout_.get()};
+}
+
 AgaaView VulkanRenderer::useView(const AgaaViewDesc& desc) {
     view_ = &sdk_.view(desc);
     return view_->view;
@@ -107,6 +115,13 @@ void VulkanRenderer::prepare(const FrameInput& input) {
     if (settings.hasLayers)
         layers_.emplace(device_, *output_, resolved_[count - 2], resolved_[count - 1]);
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera, input.placement);
+    if (settings.filtersShadows && filteredShadows_) {
+        filteredShadows_->update(shadowMaps_);
+        if (fetch_) // functions of a view share a set
+            filteredShadows_->write(fetch_->set());
+        if (environment_)
+            filteredShadows_->write(environment_->set());
+    }
     for (const DrawPass<AgaaVkDrawPass>& pass : view_->passes) {
         if (pass.state.vertexPulling && !strips_)
             strips_.emplace(device_, scene(), *gpuScene_);
@@ -161,6 +176,8 @@ void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer comman
         vkFrame.functionSet = (uint64_t)fetch_->set();
     else if (environment_)
         vkFrame.functionSet = (uint64_t)environment_->set();
+    else if (filteredShadows_)
+        vkFrame.functionSet = (uint64_t)filteredShadows_->set();
     if (settings.background.a == 0) {
         output_->recordClear(commands, glm::vec3(settings.background));
         vkFrame.outputLayoutIn = VK_IMAGE_LAYOUT_GENERAL;

@@ -4,6 +4,7 @@
 #include "render/host_renderer.h"
 #include "vk/gpu_environment.h"
 #include "vk/gpu_fetch.h"
+#include "vk/gpu_filtered_shadows.h"
 #include "vk/gpu_motion.h"
 #include "vk/gpu_strips.h"
 #include "vk/layers.h"
@@ -31,6 +32,7 @@ private:
     void upload() override;
     const AgaaFetchFunction* fetchFunction(bool coversByEdges) override;
     EnvironmentBindings useEnvironment(const std::shared_ptr<const Environment>& environment, bool inDraws) override;
+    FilteredShadowBindings useFilteredShadows() override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
     void setCamera(const FrameInput& input) override;
@@ -60,8 +62,9 @@ private:
     std::optional<vk::GpuFetch> fetch_;                    // set if a view fetches materials by id
     std::shared_ptr<const Environment> environmentSource_; // of environment_
     std::optional<vk::GpuEnvironment> environment_;
-    std::optional<vk::GpuStrips> strips_; // set if a pass pulls vertices
-    const vk::VkSdkView* view_ = nullptr; // view in use
+    std::optional<vk::GpuFilteredShadows> filteredShadows_; // set if a view filters them
+    std::optional<vk::GpuStrips> strips_;                   // set if a pass pulls vertices
+    const vk::VkSdkView* view_ = nullptr;                   // view in use
 };
 
 } // namespace harness
