@@ -24,6 +24,7 @@ CONFIGURATIONS = [
     ("equal weights", ["--equal-weights"]),
     ("the paper's way", PRINTED),
     ("the paper's metric", PRINTED[:1]),
+    ("the paper's metric, with the background", [*PRINTED[:1], "--count-background"]),
     ("by id", ["--tier", "generation=ids"]),
     ("by id, footprints of one sample", ["--tier", "generation=ids", "--sample-footprints"]),
     ("at most 1.5 events", ["--target-events", "1.5"]),

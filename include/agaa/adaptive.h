@@ -41,6 +41,10 @@ extern "C" {
 /* Tier IDS: filter textures over the area of one sample. Without the flag, they are filtered over the area of all
  * samples that a shaded one represents. */
 #define AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS UINT64_C(0x400)
+/* The printed metric counts samples without geometry, too, as we read section 3.1: their depth is that of the far
+ * plane, and their normal counts as perpendicular to all others. Without the flag, edges against the background
+ * count by their geometry alone. */
+#define AGAA_ADAPTIVE_BACKGROUND UINT64_C(0x800)
 
 /* Controls which samples "adaptive" shades (Hollaender et al. 2013). Chain it to AgaaConfig. Other techniques check
  * the struct and do not use it. A sample differs if it exceeds a threshold of AgaaConfig: surfaceCosine,

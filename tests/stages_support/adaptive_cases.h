@@ -143,6 +143,28 @@ TYPED_TEST_P(AdaptiveCases, HardCase15OnePlaneIsShadedOnce) {
         }
 }
 
+// Samples of the background count as others, so that the edge of a plane is shaded more often. Without a background
+// nothing changes.
+TYPED_TEST_P(AdaptiveCases, TheBackgroundCountsIfItIsAsked) {
+    constexpr uint64_t printed = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_PRINTED_METRIC;
+    for (const bool coversAll : {false, true}) {
+        const float edge = coversAll ? -1.0f : 10.4f;
+        const Shot shot{.triangles = rectangle(edge, edge, 60, 60, 8, facing({0.5f, 0.5f, 0.5f}))};
+        const auto shown = [&](uint64_t flags) {
+            ViewSettings settings = adaptiveSettings(9, flags);
+            settings.projection = pixelOrthographic(48, 32, 10);
+            return this->render(settings, shot);
+        };
+        const Shown without = shown(printed), with = shown(printed | AGAA_ADAPTIVE_BACKGROUND);
+        EXPECT_EQ(without.counters.shadingEvents, without.counters.shadedPixels);
+        EXPECT_EQ(with.counters.shadingEvents > without.counters.shadingEvents, !coversAll);
+        EXPECT_EQ(with.counters.shadedPixels, without.counters.shadedPixels);
+        if (coversAll) {
+            EXPECT_EQ(with.rgb, without.rgb);
+        }
+    }
+}
+
 // Hard case 43: one pixel brighter than all that is displayed raises the numbers of at most five. Columns of a third of
 // a pixel differ by less than the threshold, so that there is something for the lights to show differently.
 TYPED_TEST_P(AdaptiveCases, HardCase43ABrightPixelStaysAlone) {
@@ -345,8 +367,8 @@ TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
 
 REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem,
                             ByIdsItIsTheSame, WaysToShadeGiveOneImage, HardCase15OnePlaneIsShadedOnce,
-                            HardCase43ABrightPixelStaysAlone, HardCase62ColorsOfEqualLumaDiffer, TargetsAreKeptAndUsed,
-                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions,
-                            RememberedNumbersDecay);
+                            HardCase43ABrightPixelStaysAlone, TheBackgroundCountsIfItIsAsked,
+                            HardCase62ColorsOfEqualLumaDiffer, TargetsAreKeptAndUsed, ThePapersMethodIsAMeanOfSamples,
+                            ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions, RememberedNumbersDecay);
 
 } // namespace agaa::test

@@ -18,6 +18,8 @@ void AdaptiveArguments::addTo(CLI::App& app) {
     app.add_flag("--tile-maximum", tileMaximum, "adaptive: the largest number of samples in each tile");
     app.add_flag("--sample-footprints", sampleFootprints,
                  "adaptive by id: textures are filtered over the area of one sample");
+    app.add_flag("--count-background", countBackground,
+                 "adaptive: the printed metric counts samples of the background");
     app.add_option("--target-events", values.targetEvents,
                    "adaptive: mean number of samples per pixel that frames keep; 0: none");
     app.add_option("--count-memory", values.countMemory, "adaptive: share of mean numbers kept from frame to frame");
@@ -54,6 +56,7 @@ void AdaptiveArguments::apply(TechniqueConfig& config) const {
     set(sorted, AGAA_ADAPTIVE_SORTED);
     set(tileMaximum, AGAA_ADAPTIVE_TILE_MAXIMUM);
     set(sampleFootprints, AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS);
+    set(countBackground, AGAA_ADAPTIVE_BACKGROUND);
 }
 
 } // namespace harness

@@ -20,6 +20,7 @@ struct AdaptiveArguments {
     bool sorted = false;
     bool tileMaximum = false;
     bool sampleFootprints = false;
+    bool countBackground = false;
     AgaaAdaptiveSampling values = AGAA_ADAPTIVE_SAMPLING_INIT; // members that options set directly
 
     void addTo(CLI::App& app);

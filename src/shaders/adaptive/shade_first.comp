@@ -60,6 +60,8 @@ agaa_Comparison agaa_compareSamples(uvec2 pixel) {
 
 // Returns the number of samples by the metric as printed by Hollaender et al. 2013, section 3.1: the variance of depth,
 // and the cone around the mean normal.
+// With AGAA_ADAPTIVE_BACKGROUND, samples without geometry count, too: at the depth of the far plane, and with a normal
+// that is perpendicular to all others.
 // covered   Mask of samples with geometry, one or more.
 float agaa_printedCount(uvec2 pixel, uint covered) {
     vec3 sum = vec3(0.0);
@@ -71,9 +73,14 @@ float agaa_printedCount(uvec2 pixel, uint covered) {
         agaa_momentsAdd(depth, agaa_depthOf(pixel, i));
         sum += f.normal;
     }
+    uint background = AGAA_SAMPLES - uint(bitCount(covered));
+    if (!agaa_isAdaptive(AGAA_ADAPTIVE_BACKGROUND))
+        background = 0u;
+    for (uint i = 0u; i < background; ++i)
+        agaa_momentsAdd(depth, float(AGAA_FAR_DEPTH));
     float size = dot(sum, sum);
     vec3 mean = size > 0.0 ? sum * inversesqrt(size) : vec3(0.0);
-    float smallest = 1.0;
+    float smallest = background != 0u ? 0.0 : 1.0;
     for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
         agaa_readFeatures(pixel, uint(findLSB(rest)), f);
         smallest = min(smallest, abs(dot(mean, f.normal)));
