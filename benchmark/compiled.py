@@ -115,9 +115,9 @@ def configurations():
         for n in (8, 32):
             add("agaa buffered", "agaa", n, "--aggregates", 4, "--gloss-weight", 0.5, "--buffered", tier=tier)
     for preset in ("paper", "fast", "balanced", "accurate"):
-        for tier in (*TWO_PASSES, "gbuffer", "ids"):
-            # With two geometry passes, balanced and accurate differ by their lobes only.
-            for n in (8,) if tier in TWO_PASSES and preset in ("balanced", "accurate") else (4, 8, 16, 32):
+        # With two geometry passes, balanced and accurate leave out what makes them different passes.
+        for tier in (*(TWO_PASSES if preset in ("paper", "fast") else ()), "gbuffer", "ids"):
+            for n in (4, 8, 16, 32):
                 add(preset, ["--preset", preset], n, tier=tier)
         add(preset, ["--preset", preset], 64, tier="fragments")
     for tier in ("lists", "material-lists"):
@@ -127,6 +127,7 @@ def configurations():
         for n in (32, 64, 128):
             add("dcaa exact", "dcaa", n, "--exact", tier=tier)
         add("dcaa lean", "dcaa", 64, "--aggregates", 4, "--ndf", "lean", tier=tier)
+        add("sgbc", "sgbc", 64, "--aggregates", 4, tier=tier)
     for n in (32, 64, 128):
         add("dcaa expanded", "dcaa", n, "--aggregates", 4, "--expand", "compute", tier="lists")
     return found

@@ -32,12 +32,14 @@ def configurations():
                 yield ["--samples", n, "--aggregates", c, "--tier", f"generation={tier}"]
     for n in (1, 4, 8, 9, 16, 32):
         for extra in ([], ["--tier", "generation=ids"], ["--printed-metric", "--in-order", "--equal-weights", "--loop"],
-                      ["--sorted"], ["--tile-maximum"], ["--target-events", 2], ["--count-memory", 0.5]):
+                      ["--sorted"], ["--tile-maximum"], ["--printed-metric", "--count-background"], ["--target-events", 2],
+                      ["--count-memory", 0.5]):
             yield ["--technique", "adaptive", "--samples", n, *extra]
     for n in (32, 64, 128):
         for tier in ("lists", "material-lists"):
-            for extra in ([], ["--exact"], ["--merge", "paper"]):
+            for extra in ([], ["--exact"], ["--merge", "paper"], ["--merge", "color"], ["--reverse-order"]):
                 yield ["--technique", "dcaa", "--samples", n, "--aggregates", 4, "--tier", f"generation={tier}", *extra]
+            yield ["--technique", "sgbc", "--samples", n, "--aggregates", 4, "--tier", f"generation={tier}"]
         yield ["--technique", "agaa", "--samples", n, "--tier", "generation=fragments"]
     for technique in ("ssaa", "agaa", "sbaa", "adaptive"):
         for extra in ([], ["--no-culling"]):

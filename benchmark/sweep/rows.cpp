@@ -35,7 +35,7 @@ void SweepRow::apply(TechniqueConfig& config) const {
     config.aggregates = std::max(aggregates, 1u);
     config.measurement.shadingCost = shadingCost;
     config.generationTier = generationTier;
-    if (technique == "dcaa")
+    if (technique == "dcaa" || technique == "sgbc")
         applyCoverage(preset, config);
     else if (technique == "adaptive")
         config.adaptive.flags |= preset == "device" ? AGAA_ADAPTIVE_DEVICE_PATTERN : 0;
@@ -59,6 +59,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
                 {"agaa", 8, 2, 1, AGAA_TIER_IDS},
                 {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"},
                 {"dcaa", 64, 4},
+                {"sgbc", 64, 4},
                 {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}};
     std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"smaa"}, {"taa"}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
@@ -90,6 +91,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
         rows.push_back({"dcaa", 64, surfaces});
     for (const char* preset : {"lean", "paper", "exact"})
         rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_AUTO, preset});
+    for (uint32_t n : {32u, 64u})
+        rows.push_back({"sgbc", n, 4});
     rows.push_back({"agaa", 64, 2, 1, AGAA_TIER_FRAGMENTS});
     rows.push_back({"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"});
     rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_MATERIAL_LISTS});

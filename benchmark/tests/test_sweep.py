@@ -59,7 +59,7 @@ class Sweep(unittest.TestCase):
                 self.assertGreaterEqual(row["lightEvaluationsPerPixel"], row["shadingCost"] * row["eventsPerPixel"])
                 self.assertGreater(row["errorReference"]["mseTm"], 0)
                 self.assertEqual(row["errorSameSamples"] is None,
-                                 row["technique"] in ("ssaa", "dcaa") or row["n"] == 1)
+                                 row["technique"] in ("ssaa", "dcaa", "sgbc") or row["n"] == 1)
                 self.assertEqual(row["heat"] is None, row["technique"] == "msaa")
                 for name in (row["image"], row["difference"], row["heat"]):
                     if name:

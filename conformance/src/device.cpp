@@ -30,7 +30,7 @@ bool needsOneSample(const std::string& technique) {
     return technique == "single" || technique == "fxaa" || technique == "smaa" || technique == "taa";
 }
 
-bool hasCoverageSamples(const std::string& technique) { return technique == "dcaa"; }
+bool hasCoverageSamples(const std::string& technique) { return technique == "dcaa" || technique == "sgbc"; }
 
 bool countsCoverage(const AgaaConfig& config) {
     const bool isFragments = config.generationTier == AGAA_TIER_FRAGMENTS || config.samples > 32;

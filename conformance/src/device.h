@@ -130,11 +130,11 @@ private:
 AgaaFetchFunction emptyFetch();
 
 // Returns n of a technique that corresponds to `samples` of "ssaa": 1 for techniques of one sample, 16 times as
-// many coverage samples for "dcaa".
+// many coverage samples for "dcaa" and "sgbc".
 uint32_t samplesOf(const std::string& technique, uint32_t samples);
 bool needsOneSample(const std::string& technique);     // true for "single", "fxaa", "smaa" and "taa"
 bool countsCoverage(const AgaaConfig& config);         // n counts coverage samples, and targets have one sample
-bool hasCoverageSamples(const std::string& technique); // true for "dcaa", which needs an AgaaFetchFunction
+bool hasCoverageSamples(const std::string& technique); // true for "dcaa" and "sgbc", which need an AgaaFetchFunction
 
 // Config, facts and description of a view of 32 x 24 pixels: "agaa" with n = 4, counters, no shadows, ambient light.
 // Tests change it before they create the view.

@@ -204,7 +204,10 @@ typedef struct AgaaConfig {
     uint32_t structSize;
     const void* pNext;
     const char* technique;    /* "single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                 "sbaa", "agaa", "dcaa" or "adaptive" */
+                                 "sbaa", "agaa", "dcaa", "sgbc" or "adaptive". "sgbc" is "dcaa" whose samples keep
+                                 their depths: what is said of "dcaa" holds for it, except that it fails with
+                                 AGAA_ERROR_UNSUPPORTED with AGAA_COVERAGE_EXACT, AGAA_COVERAGE_DEPTH_PREPASS and
+                                 the tiers FRAGMENT_INTERLOCK and RASTER_ORDER */
     uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; the first four use 1.
                                  "msaa", "ssaa", "simple_complex" and "adaptive" also accept 9, on the tier
                                  ORDERED_GRID. "dcaa", and "agaa" with the tier FRAGMENTS, have 32, 64 or 128
@@ -270,7 +273,9 @@ typedef struct AgaaAggregation {
     { AGAA_STRUCTURE_TYPE_AGGREGATION, (uint32_t)sizeof(AgaaAggregation), NULL, 0.0f, 0.03f, 0.02f, 0, 0.0f, 0 }
 AGAA_API void AGAA_CALL agaaInitAggregation(AgaaAggregation* outAggregation, size_t structSize);
 
-/* Selects how "dcaa" merges fragments into the surfaces of a pixel. */
+/* Selects how "dcaa" merges fragments into the surfaces of a pixel. In "sgbc", fragments merge only into surfaces with
+ * which they share no sample; PAPER and NONE drop the fragment in a full pixel with the samples that it shows, which
+ * then show the background (Kerzner and Salvi 2014). */
 typedef enum AgaaMerge {
     AGAA_MERGE_VISIBLE = 0, /* surfaces count by the samples that they show. A fragment merges into a surface of
                                similar normal whose depths overlap if they share no sample. In a full pixel, the pair
@@ -278,6 +283,8 @@ typedef enum AgaaMerge {
     AGAA_MERGE_PAPER = 1,   /* DCAA algorithm 1: merging does not depend on shared samples. In a full pixel, the
                                surface that shows least merges into one whose depths overlap, or is dropped */
     AGAA_MERGE_NONE = 2,    /* PAPER without the merge in a full pixel, for comparison */
+    AGAA_MERGE_COLOR = 3,   /* VISIBLE; in a full pixel, differences of the sum of diffuse colour and reflectance count
+                               as differences of normals do (DCAA section 5.3 proposes it) */
     AGAA_MERGE_MAX_ENUM = 0x7FFFFFFF
 } AgaaMerge;
 
@@ -290,6 +297,9 @@ typedef enum AgaaMerge {
  * order of the draws changes no pixel except at equal depths. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER merge in
  * the order of the draws with and without the flag. */
 #define AGAA_COVERAGE_DRAW_ORDER UINT64_C(0x02)
+/* Fragments merge from the last draw to the first, for measurements of what the order changes. It implies DRAW_ORDER.
+ * The tiers FRAGMENT_INTERLOCK and RASTER_ORDER fail with AGAA_ERROR_UNSUPPORTED. */
+#define AGAA_COVERAGE_REVERSE_ORDER UINT64_C(0x08)
 /* The host draws the pass VISIBILITY first, with the largest number of samples of the device up to 8, depth only. Where
  * its samples in a pixel and in the eight pixels around it show no background, fragments behind the farthest of them
  * are dropped, and the fragments that stay count as if they covered the pixel (DCAA section 4.2). It is an

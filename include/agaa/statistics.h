@@ -47,7 +47,7 @@ typedef struct AgaaCounters {
     uint64_t mergedFirst;   /* fragments merged into a surface of similar normal whose depths overlap */
     uint64_t mergedSecond;  /* discarded surfaces, fragments included, of which another surface took samples */
     uint64_t discarded;     /* surfaces, fragments included, that were dropped because the pixel was full */
-    uint64_t lostSamples;   /* samples that showed a dropped surface */
+    uint64_t lostSamples;   /* samples that showed a dropped surface; "sgbc" counts each time that it drops a sample */
     uint64_t lostFragments; /* fragments for which the lists had no room */
     uint64_t batches;       /* tiers with lists: draws of the scene that the frame needed, 1 to maxBatches */
     uint64_t pixelsByEvents[6]; /* pixels with one shading event, with two, with more up to 4, 8 and 16, and with

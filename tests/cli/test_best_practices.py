@@ -11,7 +11,7 @@ LAYER = {"VK_LAYER_ENABLES": "VK_VALIDATION_FEATURE_ENABLE_BEST_PRACTICES_EXT"}
 PREFIX = "API message: "
 CONFIGURATIONS = {technique: [] for technique in
                   ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "adaptive")}
-CONFIGURATIONS["dcaa"] = ["--samples", "32"]
+CONFIGURATIONS["dcaa"] = CONFIGURATIONS["sgbc"] = ["--samples", "32"]
 
 
 def entries():

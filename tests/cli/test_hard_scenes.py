@@ -7,7 +7,7 @@ import unittest
 import harness
 
 KEPT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "results" / "hard-scenes.json"
-TECHNIQUES = {"single", "fxaa", "smaa", "taa", "visibility", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}
+TECHNIQUES = {"single", "fxaa", "smaa", "taa", "visibility", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"}
 ONLY_AGGREGATES = "dark-ramp-sums", "size-1080p"
 
 

@@ -15,8 +15,8 @@ FIELDS = ["frameMs", "recordMs", "passes", "shadingEventsPerPixel", "geometryPas
 
 
 def options(technique):
-    """Of the command line; dcaa counts coverage samples."""
-    return ["--technique", technique] + (["--samples", "64", "--aggregates", "4"] if technique == "dcaa" else [])
+    """Of the command line; dcaa and sgbc count coverage samples."""
+    return ["--technique", technique] + (["--samples", "64", "--aggregates", "4"] if technique in ("dcaa", "sgbc") else [])
 
 
 def write_radiance(path, width, height, exponent=129, is_lit=lambda x, y: True):
@@ -91,7 +91,7 @@ class Render(unittest.TestCase):
 
     def test_counting_changes_no_pixel(self):
         for technique in self.shared(
-                ("single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")):
+                ("single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive")):
             with self.subTest(technique=technique):
                 counted, bare = self.path("counted.exr"), self.path("bare.exr")
                 self.render(*options(technique), "--exr", counted, size="48x27")
@@ -195,7 +195,7 @@ class Render(unittest.TestCase):
     def test_work_is_within_the_bounds_of_prices(self):
         ids, gbuffer = ["--tier", "generation=ids"], ["--tier", "generation=gbuffer"]
         views = [options(technique) for technique in
-                 ("single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")]
+                 ("single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive")]
         views += [[*options("dcaa"), "--exact", "--fragments-per-pixel", "64"], [*ids, "--lit", "--samples", "32"],
                   [*gbuffer, "--shadow-along-depth"], [*gbuffer, "--shadow-covariance"],
                   [*gbuffer, "--no-shadow-filter", "--aggregates", "4"],
@@ -238,7 +238,7 @@ class Render(unittest.TestCase):
         self.assertLess(near, 0.3 * far)
 
     def test_every_technique(self):
-        for technique in self.shared(("single", "ssaa", "agaa", "dcaa", "adaptive")):
+        for technique in self.shared(("single", "ssaa", "agaa", "dcaa", "sgbc", "adaptive")):
             with self.subTest(technique=technique):
                 data = self.render(*options(technique), "--frames", "2", timed=True)
                 for field in FIELDS:
@@ -354,7 +354,7 @@ class Render(unittest.TestCase):
         self.assertGreater(data["environment"]["milliseconds"], 0)
         differences = harness.data("compare", self.path("ambient.exr"), self.path("ssaa.exr"))
         self.assertGreater(differences["meanAbsTm"], 0.01)
-        for technique in self.shared(("single", "msaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")):
+        for technique in self.shared(("single", "msaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive")):
             with self.subTest(technique=technique):
                 image = self.path("image.exr")
                 data = self.render(*options(technique), *lit, "--exr", image, size="48x27")

@@ -161,6 +161,7 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
             ViewSpec spec;
             spec.technique = row.technique;
             spec.samples = row.samples;
+            spec.height = 180; // a storage buffer of these devices has room for the depths of 128 samples
             spec.fetches = false;
             const bool isVisibility = row.stage == AGAA_STAGE_PREPASS;
             const bool isGeneration = row.stage == AGAA_STAGE_GENERATION;
@@ -177,7 +178,8 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
             if (!isFirst)
                 (isVisibility ? spec.visibilityTier : spec.generationTier) = row.tier;
             const bool isFragments = std::string_view(row.technique) == "agaa" && row.samples > 32;
-            const bool isCoverage = isFragments || std::string_view(row.technique) == "dcaa";
+            const std::string_view name = row.technique;
+            const bool isCoverage = isFragments || name == "dcaa" || name == "sgbc";
             if (row.tier == AGAA_TIER_IDS || row.tier == AGAA_TIER_FRAGMENT_LISTS || isFragments)
                 spec.chained = &fetch;
             const bool expands = isCoverage && !(caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS);

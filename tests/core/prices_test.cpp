@@ -192,7 +192,7 @@ const std::map<std::string, Switch>& switches() {
 std::vector<Host> hosts() {
     std::vector<Host> list;
     for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                  "sbaa", "agaa", "dcaa", "adaptive"})
+                                  "sbaa", "agaa", "dcaa", "sgbc", "adaptive"})
         list.emplace_back(technique);
     for (const uint32_t tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
         list.emplace_back("agaa", 8, tier, true);
@@ -306,7 +306,7 @@ TEST(Prices, StepsAreDifferencesOfViewsAndAddUp) {
         const std::string technique = host.config.technique;
         const std::set<std::string> ofOneSample = {"single", "fxaa", "smaa", "taa"};
         EXPECT_EQ(samples.empty(), ofOneSample.contains(technique)) << technique;
-        if (technique == "dcaa" || host.config.generationTier == AGAA_TIER_FRAGMENTS) {
+        if (technique == "dcaa" || technique == "sgbc" || host.config.generationTier == AGAA_TIER_FRAGMENTS) {
             EXPECT_EQ(samples, (std::set<uint32_t>{64, 128})) << technique;
         } else if (technique == "ssaa") {
             EXPECT_EQ(samples, (std::set<uint32_t>{2, 4, 8, 16, 32}));

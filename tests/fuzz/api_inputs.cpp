@@ -186,8 +186,9 @@ ViewInput::ViewInput(Choices& choices) : memory(choices) {
     static const uint32_t counts[] = {1, 2, 4, 8, 8, 16, 32}, coverageCounts[] = {32, 64, 128, 9};
     configValue.technique = anyName(choices, memory,
                                     {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "agaa",
-                                     "adaptive", "dcaa", "Simple-Complex", "smaa", "taa", "visibility"});
-    const bool isCoverage = configValue.technique && std::string_view(configValue.technique) == "dcaa";
+                                     "adaptive", "dcaa", "sgbc", "Simple-Complex", "smaa", "taa", "visibility"});
+    const std::string_view name = configValue.technique ? configValue.technique : "";
+    const bool isCoverage = name == "dcaa" || name == "sgbc";
     configValue.samples = choices.oneIn(12)                 ? choices.word()
                           : isCoverage != choices.oneIn(12) ? choices.of(coverageCounts)
                                                             : choices.of(counts);

@@ -165,7 +165,7 @@ std::vector<Light> anyLights(fuzz::Choices& choices, uint64_t count) {
 uint32_t anyTier(fuzz::Choices& choices, std::string_view technique) {
     if (choices.oneIn(8))
         return uint32_t(16 + choices.below(11));
-    if (technique == "dcaa")
+    if (technique == "dcaa" || technique == "sgbc")
         return uint32_t(choices.oneIn(2) ? AGAA_TIER_FRAGMENT_LISTS : AGAA_TIER_MATERIAL_LISTS);
     if (technique != "agaa" && technique != "sbaa" && technique != "adaptive")
         return AGAA_TIER_AUTO;
@@ -175,14 +175,14 @@ uint32_t anyTier(fuzz::Choices& choices, std::string_view technique) {
 
 RenderSettings anySettings(fuzz::Choices& choices) {
     RenderSettings settings;
-    static const char* const techniques[] = {"single", "fxaa", "msaa",     "ssaa", "simple_complex", "sbaa",
-                                             "agaa",   "smaa", "adaptive", "dcaa", "visibility",     "taa"};
+    static const char* const techniques[] = {"single", "fxaa",     "msaa", "ssaa", "simple_complex", "sbaa", "agaa",
+                                             "smaa",   "adaptive", "dcaa", "sgbc", "visibility",     "taa"};
     static const uint32_t counts[] = {1, 2, 4, 4, 8, 8, 16, 32}, coverageCounts[] = {32, 64, 128};
     TechniqueConfig& config = settings.config;
     config.technique = choices.of(techniques);
     const std::string_view technique = config.technique;
     config.generationTier = anyTier(choices, technique);
-    const bool countsCoverage = technique == "dcaa" || (technique == "agaa" && choices.oneIn(6));
+    const bool countsCoverage = technique == "dcaa" || technique == "sgbc" || (technique == "agaa" && choices.oneIn(6));
     config.samples = countsCoverage ? choices.of(coverageCounts) : choices.of(counts);
     if (countsCoverage && technique == "agaa")
         config.generationTier = AGAA_TIER_FRAGMENTS;
@@ -204,13 +204,13 @@ RenderSettings anySettings(fuzz::Choices& choices) {
         config.aggregation.glossWeight = choices.oneIn(2) ? 16 * unit(choices) : 0;
     }
     if (choices.oneIn(3)) {
-        config.coverage.merge = uint32_t(choices.below(3));
+        config.coverage.merge = uint32_t(choices.below(4));
         config.coverage.maxBatches = uint32_t(1 + choices.below(4));
         config.coverage.fragmentsPerPixel = 1 + 20 * unit(choices);
-        config.coverage.flags = choices.below(8); // AGAA_COVERAGE_…
+        config.coverage.flags = choices.below(16); // AGAA_COVERAGE_…
     }
     if (choices.oneIn(3)) {
-        config.adaptive.flags = choices.below(0x800);
+        config.adaptive.flags = choices.below(0x1000);
         config.adaptive.glossWeight = 16 * unit(choices);
         config.adaptive.countMemory = choices.oneIn(3) ? 0.9f * unit(choices) : 0;
     }

@@ -18,6 +18,11 @@
 #include "../../src/shaders/math/triangle_hull.glsl"
 #include "../../src/shaders/math/hull_rows.glsl"
 #include "../../src/shaders/math/surface_merge.glsl"
+float agaa_nearestDepths[64];
+float agaa_nearestDepth(uint i) { return agaa_nearestDepths[i]; }
+void agaa_setNearestDepth(uint i, float depth) { agaa_nearestDepths[i] = depth; }
+agaa_CoveredSurface agaa_rounded(agaa_CoveredSurface s) { return s; }
+#include "../../src/shaders/math/surface_stream.glsl"
 #include "../../src/shaders/math/surface_resolve.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/hdr_weight.glsl"
@@ -129,7 +134,8 @@ void main() {
     agaa_keptCount = 0u;
     const agaa_FacetFrame facets = agaa_facetFrame(x.xy, x.yz, x.zw, x.wx, x.x, id & 1u, 1.0);
     agaa_CoveredSurface kept = agaa_CoveredSurface(covered, x.xyz, x.xyz, vec3(0.0, 0.0, 1.0));
-    acc.y += agaa_insertSurface(kept, agaa_MergeRules(4u, 0.9, 0.0, AGAA_RULE_PAPER, facets)).share;
+    acc.y += agaa_insertSurface(kept, agaa_MergeRules(4u, 0.9, 0.0, AGAA_RULE_PAPER, facets, false)).share;
+    acc.y += agaa_streamSurface(kept, agaa_MergeRules(4u, 0.9, 0.0, AGAA_RULE_VISIBLE, facets, true), 64u).share;
     acc.x += float(agaa_coverageCount(agaa_foundCoverage(found, covered, 64u)));
     acc.y += agaa_isInTableEntry(found.entry, 128u, agaa_coveragePosition(id & 63u, 64u)) ? 1.0 : 0.0;
     acc.z += agaa_isCovered(covered, id & 63u) ? 1.0 : 0.0;

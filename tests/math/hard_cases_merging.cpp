@@ -54,7 +54,7 @@ Kept inserted(const Fragments& fragments, const Order& order, unsigned rule) {
     const math_f::agaa_FacetFrame facets = {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0.2f}};
     Kept kept;
     for (const std::size_t i : order)
-        kept.agaa_insertSurface(fragments[i], {4, 0.9f, 1e-6f, rule, facets});
+        kept.agaa_insertSurface(fragments[i], {4, 0.9f, 1e-6f, rule, facets, false});
     return kept;
 }
 

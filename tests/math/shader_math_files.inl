@@ -37,6 +37,7 @@
 #undef AGAA_MATH_SBAA_SURFACES_GLSL
 #undef AGAA_MATH_SBAA_RECORDS_GLSL
 #undef AGAA_MATH_SURFACE_MERGE_GLSL
+#undef AGAA_MATH_SURFACE_STREAM_GLSL
 #undef AGAA_MATH_SURFACE_RESOLVE_GLSL
 #undef AGAA_MATH_EDGE_SHARES_GLSL
 #undef AGAA_MATH_HISTORY_GLSL
@@ -93,5 +94,13 @@ struct Clustering {
 };
 
 struct KeptSurfaces {
+    real colors[9] = {}; // of surfaces, for AGAA_RULE_COLOR
+#define AGAA_COLOR_DIFFERENCE(i, k) std::abs(colors[i] - colors[k])
 #include "../../src/shaders/math/surface_merge.glsl"
+#undef AGAA_COLOR_DIFFERENCE
+    real nearest[128];
+    real agaa_nearestDepth(uint i) const { return nearest[i]; }
+    void agaa_setNearestDepth(uint i, real depth) { nearest[i] = depth; }
+    static agaa_CoveredSurface agaa_rounded(const agaa_CoveredSurface& s) { return s; }
+#include "../../src/shaders/math/surface_stream.glsl"
 };

@@ -77,7 +77,7 @@ float facetCosine(const Surface& a, const Surface& b) {
 }
 
 KeptSurfaces::agaa_MergeRules shaderRules(const Rules& rules) {
-    return {uint32_t(rules.limit), rules.cosine, rules.slack, uint32_t(rules.rule), kFacets};
+    return {uint32_t(rules.limit), rules.cosine, rules.slack, uint32_t(rules.rule), kFacets, false};
 }
 
 std::vector<Surface> randomPixel(Random& random, uint32_t samples) {
@@ -85,6 +85,21 @@ std::vector<Surface> randomPixel(Random& random, uint32_t samples) {
     for (Surface& s : fragments)
         s = randomFragment(random, samples);
     return fragments;
+}
+
+// Of three unlike normals, the nearest pair merges in a full pixel, unless colours differ more.
+TEST(SurfaceMerge, ColoursCountAsNormalsDo) {
+    const auto surface = [](float angle, uint32_t mask) {
+        return Shader{{mask, 0, 0, 0}, {0.5f, 0, 0}, {0.5f, 0, 0}, {std::sin(angle), 0, std::cos(angle)}};
+    };
+    for (const auto& [rule, into] : {std::pair{AGAA_RULE_VISIBLE, 1u}, {AGAA_RULE_COLOR, 0u}}) {
+        const KeptSurfaces::agaa_MergeRules rules = {2, 0.98f, 1e-6f, rule, kFacets, false};
+        KeptSurfaces kept;
+        kept.colors[1] = 1; // of the second surface; the fragment has that of the first
+        kept.agaa_insertSurface(surface(0, 1), rules);
+        kept.agaa_insertSurface(surface(1.2f, 2), rules);
+        EXPECT_EQ(kept.agaa_insertSurface(surface(0.7f, 4), rules).to, into) << rule;
+    }
 }
 
 TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {

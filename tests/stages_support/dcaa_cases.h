@@ -85,6 +85,83 @@ TYPED_TEST_P(DcaaCases, ShowsWhatManySamplesShow) {
     }
 }
 
+// Samples of "sgbc" keep their depths. In each order of the fragments, those show geometry that do so in lists that
+// keep all fragments; where full pixels drop fragments, some do not.
+TYPED_TEST_P(DcaaCases, StreamedSurfacesShowAllCoveredSamples) {
+    const Shot shot{.triangles = randomTriangles({.triangles = 150}, 61), .change = addAmbient};
+    ViewSettings truth;
+    truth.config.technique = "ssaa";
+    truth.config.samples = 32;
+    truth.facts.shadowMapCount = 0;
+    const Shown many = this->render(truth, shot);
+    truth.config.samples = 8;
+    const double eight = compare(this->render(truth, shot).rgb, many.rgb).psnr;
+    struct Way {
+        uint64_t order;
+        uint32_t surfaces;
+    };
+    for (const auto& [n, tier] : {std::pair{32u, AGAA_TIER_FRAGMENT_LISTS}, {128u, AGAA_TIER_MATERIAL_LISTS}}) {
+        ViewSettings settings = dcaaSettings(n, 4, tier);
+        settings.config.coverage.flags = AGAA_COVERAGE_EXACT;
+        const uint64_t covered = this->render(settings, shot).counters.visible;
+        settings.config.technique = "sgbc";
+        for (const Way& way :
+             {Way{0, 1}, Way{0, 4}, Way{AGAA_COVERAGE_DRAW_ORDER, 4}, Way{AGAA_COVERAGE_REVERSE_ORDER, 4}}) {
+            SCOPED_TRACE(testing::Message() << n << ' ' << tier << ' ' << way.order << ' ' << way.surfaces);
+            settings.config.coverage.flags = way.order;
+            settings.config.aggregates = way.surfaces;
+            settings.config.coverage.merge = AGAA_MERGE_VISIBLE;
+            const Shown shown = this->render(settings, shot);
+            EXPECT_EQ(shown.counters.visible, covered);
+            EXPECT_EQ(shown.counters.lostSamples, 0u);
+            EXPECT_TRUE(way.surfaces == 1 || compare(shown.rgb, many.rgb).psnr > eight + 2);
+            settings.config.coverage.merge = AGAA_MERGE_PAPER;
+            const AgaaCounters printed = this->render(settings, shot).counters;
+            EXPECT_EQ(printed.mergedSecond, 0u);
+            EXPECT_LT(printed.visible, covered);
+            EXPECT_GE(printed.visible + printed.lostSamples, covered);
+        }
+    }
+}
+
+// Full pixels that compare colours merge other surfaces, and lose no sample either.
+TYPED_TEST_P(DcaaCases, ColoursDecideWhichSurfacesMerge) {
+    const Shot shot{.triangles = randomTriangles({.triangles = 150}, 61), .change = addAmbient};
+    for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS}) {
+        ViewSettings settings = dcaaSettings(64, 2, tier);
+        const Shown byNormals = this->render(settings, shot);
+        settings.config.coverage.merge = AGAA_MERGE_COLOR;
+        const Shown byColours = this->render(settings, shot);
+        EXPECT_NE(byColours.rgb, byNormals.rgb);
+        EXPECT_EQ(byColours.counters.visible, byNormals.counters.visible);
+        EXPECT_EQ(byColours.counters.lostSamples, 0u);
+        // With room for all surfaces, no pixel is full.
+        settings.config.aggregates = 8;
+        const Shown few = this->render(settings, {.triangles = randomTriangles({.triangles = 3}, 61)});
+        settings.config.coverage.merge = AGAA_MERGE_VISIBLE;
+        EXPECT_EQ(this->render(settings, {.triangles = randomTriangles({.triangles = 3}, 61)}).rgb, few.rgb);
+    }
+}
+
+// Lists that begin with the last draw are those of a scene that is drawn in the reverse order.
+TYPED_TEST_P(DcaaCases, TheOrderOfDrawsCanBeReversed) {
+    Shot shot{.triangles = randomTriangles({.triangles = 150}, 61), .change = addAmbient};
+    for (const char* technique : {"dcaa", "sgbc"})
+        for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS}) {
+            SCOPED_TRACE(testing::Message() << technique << ' ' << tier);
+            ViewSettings settings = dcaaSettings(64, 2, tier);
+            settings.config.technique = technique;
+            settings.config.coverage.flags = AGAA_COVERAGE_DRAW_ORDER;
+            const Shown first = this->render(settings, shot);
+            std::reverse(shot.triangles.begin(), shot.triangles.end());
+            const Shown last = this->render(settings, shot);
+            settings.config.coverage.flags = AGAA_COVERAGE_REVERSE_ORDER;
+            EXPECT_EQ(this->render(settings, shot).rgb, first.rgb);
+            EXPECT_NE(last.rgb, first.rgb);
+            std::reverse(shot.triangles.begin(), shot.triangles.end());
+        }
+}
+
 // Triangles of a thin layer, so that their depths overlap in many pixels.
 inline std::vector<Triangle> tangle(uint32_t count) {
     std::mt19937 random(7);
@@ -346,6 +423,8 @@ TYPED_TEST_P(DcaaCases, OneFullTileDoesNotShrinkBatches) {
 REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow,
                             ExactShowsWhatSurfacesWithoutMergingShow, ExactLeavesOutWhatTheViewLacks,
                             BatchesShowWhatOneDrawShows, OneFullTileDoesNotShrinkBatches, EdgesCoverTheirShare,
-                            ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper, HardCase67OrderOfDrawsIsFree);
+                            ShowsWhatManySamplesShow, StreamedSurfacesShowAllCoveredSamples,
+                            TheOrderOfDrawsCanBeReversed, ColoursDecideWhichSurfacesMerge, MergesAsAlgorithm1OfThePaper,
+                            HardCase67OrderOfDrawsIsFree);
 
 } // namespace agaa::test

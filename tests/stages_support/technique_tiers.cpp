@@ -55,6 +55,8 @@ const std::vector<TechniqueTier>& techniqueTiers() {
         {.technique = "dcaa", .n = 64, .tier = AGAA_TIER_MATERIAL_LISTS, .isBatched = true},
         {.technique = "dcaa", .n = 64, .tier = AGAA_TIER_FRAGMENT_INTERLOCK},
         {.technique = "dcaa", .n = 64, .tier = AGAA_TIER_RASTER_ORDER, .layout = "dcaa28"},
+        {.technique = "sgbc", .n = 64, .tier = AGAA_TIER_FRAGMENT_LISTS},
+        {.technique = "sgbc", .n = 64, .tier = AGAA_TIER_MATERIAL_LISTS},
         {.technique = "adaptive", .n = 8, .tier = AGAA_TIER_GBUFFER, .evaluations = EachTexel},
         {.technique = "adaptive", .n = 8, .tier = AGAA_TIER_IDS, .evaluations = OfOtherPasses},
     };

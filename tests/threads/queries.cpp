@@ -17,7 +17,7 @@ void AGAA_CALL onMessage(void* user, uint32_t, AgaaResult code, const char* mess
 
 // Returns the results of several functions as one text. Some calls fail, so that threads report errors.
 std::string answers(uint32_t variant) {
-    static const char* const techniques[] = {"agaa", "dcaa", "adaptive", "sbaa", "none", "msaa"};
+    static const char* const techniques[] = {"agaa", "dcaa", "sgbc", "adaptive", "sbaa", "none", "msaa"};
     std::string text;
     AgaaLog log = AGAA_LOG_INIT;
     log.callback = onMessage;

@@ -53,7 +53,9 @@ void checkCounts(const PlanArguments& arguments, bool isCoverage) {
     if (!isCoverage && !isGrid && (n == 0 || n > 32 || (n & (n - 1))))
         throw BadArgument("--samples is " + std::to_string(n) + "; it can be 1, 2, 4, 8, " + (hasGrid ? "9, " : "") +
                           "16 or 32.");
-    const uint32_t most = arguments.technique == "dcaa" ? 8 : arguments.technique == "sbaa" ? 6 : 4;
+    const uint32_t most = arguments.technique == "dcaa" || arguments.technique == "sgbc" ? 8
+                          : arguments.technique == "sbaa"                                ? 6
+                                                                                         : 4;
     if (arguments.aggregates < 1 || arguments.aggregates > most)
         throw BadArgument("--aggregates is " + std::to_string(arguments.aggregates) + "; it can be 1 to " +
                           std::to_string(most) + ".");
@@ -200,9 +202,11 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.shadowTaps = arguments.shadowTaps;
     config.measurement.shadingCost = arguments.shadingCost;
     config.aggregation.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
-    config.coverage.merge =
-        choice(arguments.merge, "--merge",
-               {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_PAPER}, {"none", AGAA_MERGE_NONE}});
+    config.coverage.merge = choice(arguments.merge, "--merge",
+                                   {{"visible", AGAA_MERGE_VISIBLE},
+                                    {"paper", AGAA_MERGE_PAPER},
+                                    {"none", AGAA_MERGE_NONE},
+                                    {"color", AGAA_MERGE_COLOR}});
     const int expansion = choice(arguments.expand, "--expand", {{"geometry", 0}, {"pulling", 1}, {"compute", 2}});
     vertexPulling = expansion == 1;
     computesTriangles = expansion == 2;
@@ -213,6 +217,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.coverage.maxBatches = arguments.maxBatches;
     config.coverage.flags = (arguments.exact ? AGAA_COVERAGE_EXACT : 0) |
                             (arguments.drawOrder ? AGAA_COVERAGE_DRAW_ORDER : 0) |
+                            (arguments.reverseOrder ? AGAA_COVERAGE_REVERSE_ORDER : 0) |
                             (arguments.depthPrepass ? AGAA_COVERAGE_DEPTH_PREPASS : 0);
     if (choice(arguments.coveragePattern, "--coverage-pattern", {{"library", 0}, {"r2", 1}}))
         config.coverage.samplePositions = quasirandomPositions().data();

@@ -66,6 +66,7 @@ struct PlanArguments {
     uint32_t maxBatches = 0;
     bool exact = false;
     bool drawOrder = false;
+    bool reverseOrder = false;
     bool depthPrepass = false;
     std::string coveragePattern = "library";
     uint32_t tableSize = 0;

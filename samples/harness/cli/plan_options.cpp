@@ -28,12 +28,14 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--k-per-distance", a.kPerDistance, "at least this times the distance");
     app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
     app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
-    app.add_option("--merge", a.merge, "dcaa: what a discarded surface gives to another, visible, paper or none");
+    app.add_option("--merge", a.merge,
+                   "dcaa: what a discarded surface gives to another, visible, paper, none or color");
     app.add_option("--fragments-per-pixel", a.fragmentsPerPixel,
                    "that lists of fragments have room for; auto: as a frame needs");
     app.add_option("--max-batches", a.maxBatches, "draws of the scene where lists have too little room; 0: 16");
     app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
     app.add_flag("--draw-order", a.drawOrder, "lists of fragments keep the order of the draws");
+    app.add_flag("--reverse-order", a.reverseOrder, "lists of fragments begin with the last draw");
     app.add_flag("--depth-prepass", a.depthPrepass, "a depth prepass drops hidden fragments, approximately");
     app.add_option("--coverage-pattern", a.coveragePattern,
                    "positions of coverage samples: library, or r2 by a table of half-planes");

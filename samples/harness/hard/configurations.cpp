@@ -74,6 +74,7 @@ const std::vector<HardConfiguration>& hardConfigurations() {
         add(list, "adaptive", {1, 2, 4, 8, 9, 16, 32}, 0, {AGAA_TIER_GBUFFER, AGAA_TIER_IDS});
         add(list, "dcaa", {32, 64, 128}, 8,
             {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_RASTER_ORDER});
+        add(list, "sgbc", {32, 64, 128}, 8, {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS});
         for (const uint32_t tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
             for (const uint32_t n : {8u, 16u, 32u})
                 list.push_back({"agaa", n, 4, tier, true});

@@ -36,7 +36,8 @@ struct TechniqueConfig : AgaaConfig {
     // Returns whether n counts coverage samples.
     bool coversByEdges() const {
         const std::string_view name = technique;
-        return name == "dcaa" || (name == "agaa" && (generationTier == AGAA_TIER_FRAGMENTS || samples > 32));
+        return name == "dcaa" || name == "sgbc" ||
+               (name == "agaa" && (generationTier == AGAA_TIER_FRAGMENTS || samples > 32));
     }
     // Returns whether views keep fragments in lists.
     bool keepsLists() const {

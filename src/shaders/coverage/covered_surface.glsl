@@ -1,8 +1,8 @@
-// Surfaces of `dcaa` in memory. A surface has these words: coverage, depth plane (two words, math/stored_plane.glsl),
-// normal (octahedral, 16 bits each), with elliptic lobes the spread of normals (coverage/surface_spread.glsl), then the
-// material (aggregate/packing.glsl). A coverage of 0 means no surface. Depths increase away from the eye; reversed
-// depths are negated. Needs
-// common/frame.glsl, and AGAA_AGGREGATES, AGAA_FAR_DEPTH, AGAA_SPREAD_WORDS and AGAA_STRIDE, which
+// Surfaces of `dcaa` and `sgbc` in memory. A surface has these words: coverage, depth plane (two words,
+// math/stored_plane.glsl), normal (octahedral, 16 bits each), with elliptic lobes the spread of normals
+// (coverage/surface_spread.glsl), then the material (aggregate/packing.glsl). A coverage of 0 means no surface. Depths
+// increase away from the eye; reversed depths are negated. In `sgbc` the depths of samples follow behind all surfaces.
+// Needs common/frame.glsl, and AGAA_AGGREGATES, AGAA_FAR_DEPTH, AGAA_SPREAD_WORDS and AGAA_STRIDE, which
 // common/constants.glsl has.
 #ifndef AGAA_COVERED_SURFACE_GLSL
 #define AGAA_COVERED_SURFACE_GLSL
@@ -45,6 +45,13 @@ uint agaa_surfaceBase(uvec2 pixel, uint a) {
 uint agaa_boundOfSurfaces(uvec2 pixel) {
     uvec2 size = agaa_frame.size;
     return size.x * size.y * AGAA_AGGREGATES * AGAA_STRIDE + pixel.y * size.x + pixel.x;
+}
+
+// Returns the index of the words behind all surfaces that have the depths of the pixel's samples, where AGAA_STREAMS is
+// set.
+uint agaa_nearestDepthsOf(uvec2 pixel) {
+    uvec2 size = agaa_frame.size;
+    return size.x * size.y * AGAA_AGGREGATES * AGAA_STRIDE + (pixel.y * size.x + pixel.x) * AGAA_SAMPLES;
 }
 #endif
 

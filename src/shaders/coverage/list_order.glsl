@@ -15,7 +15,8 @@ bool agaa_isBefore(uint record, uint other) {
     if (word == 0u && agaa_fragmentWord(record) == agaa_fragmentWord(other))
         word = agaa_firstDifference(record, other, AGAA_FRAGMENT_MASK_AT, AGAA_FRAGMENT_WORDS - 1u);
 #endif
-    return agaa_fragmentWord(record + word) < agaa_fragmentWord(other + word);
+    uint own = agaa_fragmentWord(record + word), others = agaa_fragmentWord(other + word);
+    return AGAA_REVERSE_ORDER != 0u ? own > others : own < others;
 }
 
 struct agaa_SortedRuns {

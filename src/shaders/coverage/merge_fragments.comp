@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_ORDERS_PIXELS
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "coverage/color_difference.glsl"
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
 #include "common/frame.glsl"

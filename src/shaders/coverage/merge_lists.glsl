@@ -27,6 +27,8 @@ uint agaa_mergedList(uvec2 pixel) {
 
 void agaa_mergePixel(uvec2 pixel) {
     agaa_keptCount = 0u;
+    if (AGAA_STREAMS != 0u)
+        agaa_beginStream(pixel);
     uint fragment = agaa_mergedList(pixel);
     while (fragment != 0u) {
         uint record = agaa_record(fragment);

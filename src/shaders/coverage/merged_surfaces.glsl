@@ -6,6 +6,12 @@
 #if !defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_MERGE_RULE)
 #error "merged_surfaces.glsl needs AGAA_MERGE_RULE."
 #endif
+#ifndef AGAA_CONSTANTS_GLSL
+#define AGAA_STREAMS 0u
+#endif
+#ifndef AGAA_COLOR_DIFFERENCE_GLSL
+#error "merged_surfaces.glsl needs color_difference.glsl, before surface_merge.glsl."
+#endif
 #include "coverage/covered_surface.glsl"
 #include "aggregate/packing.glsl"
 #include "coverage/surface_spread.glsl"
@@ -33,11 +39,52 @@ void agaa_storeKept(uint base, uint i) {
 }
 #endif
 
+#if defined(AGAA_CONSTANTS_GLSL)
+// The depths of samples are in memory, as Kerzner and Salvi have them in a multisampled depth buffer.
+uint agaa_nearestDepthsAt = 0u;
+float agaa_nearestDepth(uint i) { return uintBitsToFloat(agaa_readSurfaces(agaa_nearestDepthsAt + i)); }
+void agaa_setNearestDepth(uint i, float depth) {
+    agaa_setSurfaces(agaa_nearestDepthsAt + i, floatBitsToUint(depth));
+}
+#if AGAA_SHARED_SURFACES
+agaa_CoveredSurface agaa_rounded(agaa_CoveredSurface s) { return s; } // agaa_keep() does it
+#else
+agaa_CoveredSurface agaa_rounded(agaa_CoveredSurface s) { return agaa_asStored(s); }
+#endif
+#include "math/surface_stream.glsl"
+
+void agaa_beginStream(uvec2 pixel) {
+    agaa_nearestDepthsAt = agaa_nearestDepthsOf(pixel);
+    for (uint i = 0u; i < AGAA_SAMPLES; i += 4u) { // four at a time, as agaa_takeSamples()
+        agaa_setNearestDepth(i, agaa_noDepth());
+        agaa_setNearestDepth(i + 1u, agaa_noDepth());
+        agaa_setNearestDepth(i + 2u, agaa_noDepth());
+        agaa_setNearestDepth(i + 3u, agaa_noDepth());
+    }
+}
+#endif
+
 // Returns the material of the surface whose first word is `base`.
 agaa_Stored agaa_loadMaterial(uint base) {
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_packed[w] = agaa_readSurfaces(base + AGAA_MATERIAL_WORD + w);
     return agaa_unpackSurface();
+}
+
+// Returns the light that a material reflects, without its lobe.
+vec3 agaa_colorOf(agaa_Stored v) { return min(v.diffuse + v.specular, vec3(1.0)); }
+
+// The current fragment is that of the index AGAA_AGGREGATES.
+vec3 agaa_currentColor = vec3(0.0);
+uvec2 agaa_currentPixel = uvec2(0u);
+vec3 agaa_colorOfKept(uint i) {
+    return i == AGAA_AGGREGATES ? agaa_currentColor
+                                : agaa_colorOf(agaa_loadMaterial(agaa_surfaceBase(agaa_currentPixel, i)));
+}
+
+float agaa_differenceOfColors(uint i, uint k) {
+    vec3 d = abs(agaa_colorOfKept(i) - agaa_colorOfKept(k));
+    return max(d.x, max(d.y, d.z));
 }
 
 // Returns the mix of a and b.
@@ -99,11 +146,20 @@ agaa_MergeRules agaa_mergeRules(uvec2 pixel, float depth) {
     rules.cosine = agaa_frame.surfaceCosine;
     rules.slack = abs(depth) * 9.5367e-7; // 2^-20
     rules.rule = AGAA_MERGE_RULE;
+    rules.streams = AGAA_STREAMS != 0u;
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
     rules.facets = agaa_facetFrame((vec2(pixel) + 0.5) / pixelsPerNdc - 1.0, pixelsPerNdc, agaa_frame.projectionScale,
                                    agaa_frame.projectionOffset, agaa_frame.projection22, agaa_frame.isOrthographic,
                                    AGAA_FAR_DEPTH != 0u ? 1.0 : -1.0);
     return rules;
+}
+
+agaa_Insertion agaa_insert(agaa_CoveredSurface s, agaa_MergeRules rules) {
+#if defined(AGAA_CONSTANTS_GLSL)
+    if (AGAA_STREAMS != 0u)
+        return agaa_streamSurface(s, rules, AGAA_SAMPLES);
+#endif
+    return agaa_insertSurface(s, rules);
 }
 
 // Inserts a fragment. Materials and spreads of surfaces are in memory, everything else is kept by
@@ -117,7 +173,9 @@ agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stor
         agaa_packSurface(material);
         material = agaa_unpackSurface();
     }
-    agaa_Insertion done = agaa_insertSurface(s, rules);
+    agaa_currentColor = agaa_colorOf(material);
+    agaa_currentPixel = pixel;
+    agaa_Insertion done = agaa_insert(s, rules);
     agaa_countInsertion(done);
     if (done.from != AGAA_NO_SURFACE) {
         uint from = agaa_surfaceBase(pixel, done.from);

@@ -5,6 +5,7 @@
 #if !defined(AGAA_IN_TARGETS) || !defined(AGAA_MERGE_RULE)
 #error "merge_in_order.glsl needs AGAA_IN_TARGETS and AGAA_MERGE_RULE."
 #endif
+#include "coverage/color_difference.glsl"
 #include "host/fragment_coverage.glsl"
 
 #if AGAA_IN_TARGETS == 0

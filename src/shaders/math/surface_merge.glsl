@@ -31,10 +31,21 @@ struct agaa_CoveredSurface {
 // Merge rules, the values of AgaaMerge. VISIBLE counts the samples that show a surface. At first a fragment merges only
 // with a surface that shares no sample with it, because two fragments of one continuous surface share none. In a full
 // pixel the cheapest pair merges, and no sample that shows a surface is lost. PAPER is algorithm 1, which compares
-// facet normals (section 3.4). NONE is PAPER without its second merge.
+// facet normals (section 3.4). NONE is PAPER without its second merge. COLOR is VISIBLE with the difference of colours
+// in the cost of a merge (section 5.3 proposes to know materials).
 #define AGAA_RULE_VISIBLE 0u
 #define AGAA_RULE_PAPER 1u
 #define AGAA_RULE_NONE 2u
+#define AGAA_RULE_COLOR 3u
+
+// The includer may have colours: AGAA_COLOR_DIFFERENCE(i, k) of two surfaces, [0, 1], real.
+#ifndef AGAA_COLOR_DIFFERENCE
+#define AGAA_COLOR_DIFFERENCE(i, k) real(0.0)
+#endif
+
+bool agaa_countsShown(uint rule) {
+    return rule == AGAA_RULE_VISIBLE || rule == AGAA_RULE_COLOR;
+}
 
 struct agaa_MergeRules {
     uint limit;  // maximum number of surfaces, [1, AGAA_MAX_KEPT]
@@ -42,6 +53,7 @@ struct agaa_MergeRules {
     real slack;  // distance up to which depths overlap
     uint rule;
     agaa_FacetFrame facets; // for the rules of the paper
+    bool streams;           // surfaces show disjoint samples (math/surface_stream.glsl), and may have none
 };
 
 // The merges of one insertion. First, surface `from` merges into `into` and has the share `moved` of the result. Then
@@ -138,7 +150,7 @@ rvec2 agaa_mergeInto(uint i, agaa_CoveredSurface b, uvec4 mask, uint countA, uin
 
 // Returns the cosine between the normals that the rule compares.
 real agaa_alignment(agaa_CoveredSurface a, agaa_CoveredSurface b, agaa_MergeRules rules) {
-    if (rules.rule == AGAA_RULE_VISIBLE)
+    if (agaa_countsShown(rules.rule))
         return dot(a.normal, b.normal);
     return dot(agaa_facetNormal(rules.facets, a.plane), agaa_facetNormal(rules.facets, b.plane));
 }
@@ -152,7 +164,10 @@ uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
     for (uint i = 0u; i < agaa_keptCount; ++i) {
         const real cosine = agaa_alignment(agaa_keptAt(i), s, rules);
         const real overlap = agaa_depthOverlap(agaa_keptAt(i), s);
-        const bool mayMerge = rules.rule != AGAA_RULE_VISIBLE || agaa_coverageCount(agaa_keptAt(i).mask & s.mask) == 0u;
+        const uvec4 mask = agaa_keptAt(i).mask;
+        const bool isDisjoint = agaa_coverageCount(mask & s.mask) == 0u;
+        const bool mayMerge = rules.streams ? isDisjoint && agaa_coverageCount(mask) != 0u
+                                            : !agaa_countsShown(rules.rule) || isDisjoint;
         if (mayMerge && cosine > rules.cosine && overlap + rules.slack >= real(0.0) &&
             (best == AGAA_NO_SURFACE || cosine > closest || (cosine == closest && overlap > largest))) {
             best = i;
@@ -213,6 +228,9 @@ uint agaa_findOverlapping(uint i, uint count, real slack) {
     return best;
 }
 
+// Returns the cosine that the largest difference of colours counts as, by measurement.
+real agaa_colorWeight() { return real(2.0); }
+
 // The merge of a surface into its target.
 struct agaa_KeptMerge {
     uint from;
@@ -224,7 +242,7 @@ struct agaa_KeptMerge {
 // Returns the merge of surface i, of `count` surfaces, 2 or more, into the one with the closest normal among those
 // whose depths overlap, otherwise into the nearest in depth. The weights of a difference in depth, and of each sample,
 // come from measurement.
-agaa_KeptMerge agaa_mergeOf(uint i, uint count) {
+agaa_KeptMerge agaa_mergeOf(uint i, uint count, bool byColor) {
     const agaa_CoveredSurface s = agaa_keptAt(i);
     const rvec2 interval = agaa_depthInterval(s);
     const real centre = agaa_centreDepth(s);
@@ -235,7 +253,9 @@ agaa_KeptMerge agaa_mergeOf(uint i, uint count) {
     for (uint k = 0u; k < count; ++k) {
         const agaa_CoveredSurface other = agaa_keptAt(k);
         const real overlap = agaa_intervalOverlap(agaa_depthInterval(other), interval);
-        const real alignment = dot(other.normal, s.normal);
+        real alignment = dot(other.normal, s.normal);
+        if (byColor && k != i)
+            alignment -= agaa_colorWeight() * AGAA_COLOR_DIFFERENCE(i, k);
         const bool overlaps = overlap >= real(0.0);
         const real rank = overlaps ? alignment : overlap;
         if (k != i && (merge.into == AGAA_NO_SURFACE || (overlaps && !bestOverlaps) ||
@@ -255,10 +275,10 @@ agaa_KeptMerge agaa_mergeOf(uint i, uint count) {
 }
 
 // Returns the cheapest merge of `count` surfaces. The last one wins ties.
-agaa_KeptMerge agaa_cheapestMerge(uint count) {
-    agaa_KeptMerge cheapest = agaa_mergeOf(0u, count);
+agaa_KeptMerge agaa_cheapestMerge(uint count, bool byColor) {
+    agaa_KeptMerge cheapest = agaa_mergeOf(0u, count, byColor);
     for (uint i = 1u; i < count; ++i) {
-        const agaa_KeptMerge merge = agaa_mergeOf(i, count);
+        const agaa_KeptMerge merge = agaa_mergeOf(i, count, byColor);
         if (merge.cost <= cheapest.cost)
             cheapest = merge;
     }
@@ -277,10 +297,10 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     agaa_Insertion done = agaa_noInsertion();
     done.isSecond = true;
     const uint count = rules.limit + 1u;
-    const bool byCost = rules.rule == AGAA_RULE_VISIBLE;
+    const bool byCost = agaa_countsShown(rules.rule);
     agaa_KeptMerge merge;
     if (byCost)
-        merge = agaa_cheapestMerge(count);
+        merge = agaa_cheapestMerge(count, rules.rule == AGAA_RULE_COLOR);
     else
         merge = agaa_paperMerge(count, rules);
     const uint least = merge.from;

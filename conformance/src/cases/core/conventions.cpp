@@ -142,7 +142,7 @@ void testNoInternalError(Test& test) {
     std::vector<ViewQuery> queries = viewQueries();
     queries.push_back(aggregateGlslQuery);
     for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                  "sbaa", "agaa", "dcaa", "adaptive"})
+                                  "sbaa", "agaa", "dcaa", "sgbc", "adaptive"})
         for (const uint32_t samples :
              hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128} : std::vector<uint32_t>{1, 4, 32})
             for (const uint32_t aggregates : {1u, 4u})

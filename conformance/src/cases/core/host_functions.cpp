@@ -11,8 +11,8 @@ namespace {
 
 using Change = std::function<void(ViewParts&)>;
 
-constexpr const char* techniques[] = {"single",     "fxaa",           "smaa", "taa",  "msaa", "ssaa",
-                                      "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+constexpr const char* techniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa", "ssaa",    "visibility",
+                                      "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"};
 
 // All techniques accept the function, except those in `refusing`.
 void testNotFor(Test& test, const std::set<std::string>& refusing, const std::string& name, const Change& chain) {
@@ -249,7 +249,7 @@ void testDebugViews(Test& test) {
     rows.push_back({"the tier IDS and BUFFERED", false, primitives, tierOf(AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED)});
     rows.push_back({"the tier GBUFFER", false, primitives, tierOf(AGAA_TIER_GBUFFER, 0)});
     rows.push_back({"the tier POST_DEPTH_ATOMICS", false, primitives, tierOf(AGAA_TIER_POST_DEPTH_ATOMICS, 0)});
-    for (const char* name : {"single", "fxaa", "ssaa", "simple_complex", "sbaa", "dcaa", "adaptive"})
+    for (const char* name : {"single", "fxaa", "ssaa", "simple_complex", "sbaa", "dcaa", "sgbc", "adaptive"})
         rows.push_back({std::string("\"") + name + "\"", false, primitives, technique(name)});
     testDebugRows(test, rows);
 }
@@ -302,7 +302,8 @@ void addHostFunctionCases(Suite& suite) {
                [](Test& test) { testNotFor(test, {}, "AgaaResolvedOutputs", resolves(AGAA_RESOLVED_NORMAL)); });
     suite.core("AgaaResolvedOutput.attribute/AGAA_ERROR_LAYOUT", testNameOfAttribute);
     suite.core("AgaaGBufferFunction/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
-        testNotFor(test, {"msaa", "dcaa"}, "AgaaGBufferFunction", [](ViewParts& p) { p.chainAlone(p.gbuffer); });
+        testNotFor(test, {"msaa", "dcaa", "sgbc"}, "AgaaGBufferFunction",
+                   [](ViewParts& p) { p.chainAlone(p.gbuffer); });
     });
     suite.core("AgaaShadowFunction/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
         testNotFor(test, {"msaa"}, "AgaaShadowFunction", [](ViewParts& p) { p.chain(p.shadow); });

@@ -196,7 +196,8 @@ void addDecoupledCoverage(Suite& suite) {
                               std::move(accepted), std::move(refused), use.prepare, std::move(today)});
         };
         add("merge/enum", "AgaaDecoupledCoverage::merge", [](ViewParts& p, double x) { p.coverage.merge = whole(x); },
-            {AGAA_MERGE_VISIBLE, AGAA_MERGE_PAPER, AGAA_MERGE_NONE}, largeNumbers({}), {AGAA_MERGE_NONE + 1});
+            {AGAA_MERGE_VISIBLE, AGAA_MERGE_PAPER, AGAA_MERGE_NONE, AGAA_MERGE_COLOR}, largeNumbers({}),
+            {AGAA_MERGE_COLOR + 1});
         add(
             "fragmentsPerPixel/range", "AgaaDecoupledCoverage::fragmentsPerPixel",
             [](ViewParts& p, double x) { p.coverage.fragmentsPerPixel = float(x); }, {1, above(1), 8, below(256), 256},
@@ -228,7 +229,9 @@ void addDecoupledCoverage(Suite& suite) {
     });
     addFlags(suite, {"AgaaDecoupledCoverage.flags/flags", "AgaaDecoupledCoverage::flags",
                      [](ViewParts& p, uint64_t flags) { p.coverage.flags = flags; },
-                     AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER | AGAA_COVERAGE_DEPTH_PREPASS, useDcaa});
+                     AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER | AGAA_COVERAGE_DEPTH_PREPASS |
+                         AGAA_COVERAGE_REVERSE_ORDER,
+                     useDcaa});
 }
 
 // Tests "adaptive", and techniques that check the struct and do not use it.
@@ -282,7 +285,7 @@ void addAdaptiveSampling(Suite& suite) {
                          AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC |
                              AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP |
                              AGAA_ADAPTIVE_DEVICE_PATTERN | AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED |
-                             AGAA_ADAPTIVE_TILE_MAXIMUM | AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS,
+                             AGAA_ADAPTIVE_TILE_MAXIMUM | AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS | AGAA_ADAPTIVE_BACKGROUND,
                          use.prepare});
     }
 }

@@ -69,7 +69,8 @@ void testSurfacesNull(Test& test) {
 
 // A null pointer and a device with every feature give the same result.
 void testCapsNull(Test& test) {
-    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
+    for (const char* technique :
+         {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"}) {
         ViewParts parts(test.sdk, nullptr);
         parts.setTechnique(technique, 4);
         AgaaMemoryReport withNull = initialReport, withCaps = initialReport;

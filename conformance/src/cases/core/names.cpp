@@ -117,7 +117,7 @@ void testNames(Test& test) {
                        "agaaGetNames(" + std::to_string(kind) + ") does not list \"" + name + "\".");
     };
     expect(AGAA_NAMES_TECHNIQUES, {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                   "sbaa", "agaa", "dcaa", "adaptive"});
+                                   "sbaa", "agaa", "dcaa", "sgbc", "adaptive"});
     expect(AGAA_NAMES_LAYOUTS, {"paper16", "precise"});
     expect(AGAA_NAMES_PRESETS, {"paper", "fast", "balanced", "accurate"});
 }

@@ -13,8 +13,8 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr const char* techniques[] = {"single",     "fxaa",           "smaa", "taa",  "msaa", "ssaa",
-                                      "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+constexpr const char* techniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa", "ssaa",    "visibility",
+                                      "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"};
 
 std::string nameOf(const ViewParts& p) {
     return std::string("\"") + p.config.technique + "\", n = " + std::to_string(p.config.samples) + ", tier " +
@@ -49,6 +49,9 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                 const bool isAgaa = technique == std::string("agaa"), isSbaa = technique == std::string("sbaa");
                 if (tier != AGAA_TIER_AUTO && !(isAgaa && !isList) && !(isSbaa && !isList && tier != AGAA_TIER_IDS) &&
                     !(isList && hasCoverageSamples(technique)))
+                    continue;
+                const bool mergesInOrder = tier == AGAA_TIER_FRAGMENT_INTERLOCK || tier == AGAA_TIER_RASTER_ORDER;
+                if (mergesInOrder && technique == std::string("sgbc")) // which has lists only
                     continue;
                 ViewParts parts(test.sdk, nullptr);
                 parts.setTechnique(technique, samples);

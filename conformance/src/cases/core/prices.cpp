@@ -33,8 +33,8 @@ bool areSame(const std::vector<AgaaPrice>& a, const std::vector<AgaaPrice>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(AgaaPrice)) == 0;
 }
 
-constexpr const char* techniques[] = {"single",     "fxaa",           "smaa", "taa",  "msaa", "ssaa",
-                                      "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+constexpr const char* techniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa", "ssaa",    "visibility",
+                                      "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"};
 
 void testCapsNull(Test& test) {
     for (const char* technique : techniques) {

@@ -126,7 +126,7 @@ void testGlossWeight(Test& test) {
 
 void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
     for (const char* technique :
-         {"single", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
+         {"single", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"})
         testRows(test, {{std::string("\"") + technique + "\" and visibilityTier = " + name, unsupported,
                          [=](ViewParts& p) {
                              p.setTechnique(technique, 4);
@@ -453,6 +453,45 @@ void testDepthPrepass(Test& test) {
          {name + ", maxTriangles and the tier MATERIAL_LISTS", AGAA_OK, prepass(AGAA_TIER_MATERIAL_LISTS, 1000), ""}});
 }
 
+// "sgbc" has lists only, and keeps depths of samples.
+void testStreaming(Test& test) {
+    const auto with = [](uint32_t tier, uint64_t flags) {
+        return [=](ViewParts& p) {
+            p.setTechnique("sgbc", 4);
+            p.config.generationTier = tier;
+            p.coverage.flags = flags;
+        };
+    };
+    for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS,
+                                AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_RASTER_ORDER}) {
+        const bool isList = tier != AGAA_TIER_FRAGMENT_INTERLOCK && tier != AGAA_TIER_RASTER_ORDER;
+        testRows(test, {{"\"sgbc\" and the tier " + std::to_string(tier), isList ? AGAA_OK : unsupported, with(tier, 0),
+                         ""}});
+    }
+    for (const uint64_t flags : {AGAA_COVERAGE_EXACT, AGAA_COVERAGE_DEPTH_PREPASS})
+        testRows(test, {{"\"sgbc\" and AgaaDecoupledCoverage::flags = " + std::to_string(flags), unsupported,
+                         with(AGAA_TIER_AUTO, flags), ""}});
+}
+
+// Without lists, fragments merge as they come.
+void testMergeOrder(Test& test) {
+    const auto with = [](const char* technique, uint32_t tier, uint64_t flags) {
+        return [=](ViewParts& p) {
+            p.setTechnique(technique, 4);
+            p.config.generationTier = tier;
+            p.coverage.flags = flags;
+        };
+    };
+    const std::string reverse = "AGAA_COVERAGE_REVERSE_ORDER";
+    for (const char* technique : {"dcaa", "sgbc"})
+        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS})
+            testRows(test, {{reverse + ", \"" + technique + "\" and the tier " + std::to_string(tier), AGAA_OK,
+                             with(technique, tier, AGAA_COVERAGE_REVERSE_ORDER), ""}});
+    for (const uint32_t tier : {AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_RASTER_ORDER})
+        testRows(test, {{reverse + " and the tier " + std::to_string(tier), unsupported,
+                         with("dcaa", tier, AGAA_COVERAGE_REVERSE_ORDER), ""}});
+}
+
 // The tier FRAGMENTS of "agaa" groups and shades all fragments in one pass.
 void testFragmentsAtOnce(Test& test) {
     const auto fragments = [](uint64_t flags) {
@@ -580,6 +619,8 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_technique", testOtherTechnique);
     suite.core("AGAA_COVERAGE_EXACT/AGAA_ERROR_UNSUPPORTED", testExact);
     suite.core("AGAA_COVERAGE_DEPTH_PREPASS/AGAA_ERROR_UNSUPPORTED", testDepthPrepass);
+    suite.core("AgaaConfig.technique/AGAA_ERROR_UNSUPPORTED", testStreaming);
+    suite.core("AGAA_COVERAGE_REVERSE_ORDER/AGAA_ERROR_UNSUPPORTED", testMergeOrder);
     suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
     suite.core("AgaaAdaptiveSampling.targetEvents/AGAA_ERROR_UNSUPPORTED", testTargets);
     suite.core("AGAA_ADAPTIVE_SORTED/AGAA_ERROR_TOO_LARGE", testSorted);

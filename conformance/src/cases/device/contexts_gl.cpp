@@ -117,7 +117,7 @@ void testConstants(Test& test) {
             d.gl.constants = constants;
         });
         for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                      "sbaa", "agaa", "dcaa", "adaptive"}) {
+                                      "sbaa", "agaa", "dcaa", "sgbc", "adaptive"}) {
             const std::string what = "agaaGlCreateView of \"" + std::string(technique) +
                                      "\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants);
             ViewDescription description(&test.device());

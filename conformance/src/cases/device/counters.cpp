@@ -49,7 +49,7 @@ void expectRectangle(Rig& rig, const std::string& technique) {
     const AgaaCounters c = rig.counters();
     const std::string what = "a rectangle of 48 pixels, \"" + technique + "\", n = " + std::to_string(n);
     const bool shadesFragments = technique == "msaa", shadesSamples = technique == "ssaa";
-    const bool aggregates = technique == "agaa" || technique == "sbaa" || technique == "dcaa";
+    const bool aggregates = technique == "agaa" || technique == "sbaa" || hasCoverageSamples(technique);
     expectCount(test, "visible", c.visible, pixels * n, pixels * n, what);
     expectCount(test, "once", c.once, pixels * n, pixels * n, what);
     expectCount(test, "uncovered", c.uncovered, 0, 0, what);
@@ -73,7 +73,7 @@ void expectRectangle(Rig& rig, const std::string& technique) {
     expectCount(test, "widenedLobes", c.widenedLobes, 0, 0, what);
     expectCount(test, "primitives", c.primitives, 0, 0, what);
     // "dcaa" has a fragment for each triangle that covers a sample of a pixel. Both fragments belong to one surface.
-    const bool hasFragments = technique == "dcaa";
+    const bool hasFragments = hasCoverageSamples(technique);
     expectCount(test, "fragments", c.fragments, hasFragments ? pixels : 0, hasFragments ? 2 * pixels : 0, what);
     expectCount(test, "materials", c.materials, c.fragments, c.fragments, what);
     expectCount(test, "mergedFirst", c.mergedFirst, hasFragments ? c.fragments - pixels : 0,
@@ -108,7 +108,7 @@ void expectEmpty(Rig& rig, const std::string& technique) {
     rig.render();
     AgaaCounters c = rig.counters();
     const AgaaCounters none = {};
-    rig.test.check(c.batches == (technique == "dcaa"),
+    rig.test.check(c.batches == hasCoverageSamples(technique),
                    "AgaaCounters::batches of an empty frame is " + std::to_string(c.batches) + ".");
     c.batches = 0; // the SDK draws the empty scene once
     rig.test.check(!std::memcmp(&c, &none, sizeof c), "a counter of an empty frame is not 0 (\"" + technique + "\").");
@@ -135,7 +135,7 @@ void testNoCounters(Test& test) {
 
 // A column of pixels shows half of a second wall with another depth and normal, so it has two aggregates.
 void testTwoSurfaces(Test& test) {
-    for (const std::string technique : {"agaa", "sbaa", "dcaa"}) {
+    for (const std::string technique : {"agaa", "sbaa", "dcaa", "sgbc"}) {
         if (!unsupportedReason(test, technique).empty())
             continue;
         Rig rig(test, withTechnique(technique, 4));
@@ -189,7 +189,7 @@ void testShadowTaps(Test& test) {
 
 void addCounterCases(Suite& suite) {
     for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                  "sbaa", "agaa", "dcaa", "adaptive"})
+                                  "sbaa", "agaa", "dcaa", "sgbc", "adaptive"})
         suite.both("general/counters_of_flat_scenes/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });
     suite.both("general/counters_are_0_if_not_requested", testNoCounters);

@@ -195,7 +195,7 @@ void testImages(Test& test, const char* name) {
 
 void addCoverageImageCases(Suite& suite) {
     for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                  "sbaa", "agaa", "dcaa", "adaptive"})
+                                  "sbaa", "agaa", "dcaa", "sgbc", "adaptive"})
         suite.both("general/images_of_surfaces/" + std::string(technique),
                    [technique](Test& test) { testImages(test, technique); });
     suite.both("general/image_of_an_edge/many_samples", testManySamples);

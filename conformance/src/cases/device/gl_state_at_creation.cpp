@@ -75,7 +75,7 @@ void forEachView(Test& test, const RunOnView& run) {
     LogRecorder log;
     const AgaaContext context = createContext(test, host, AGAA_GL_STATE_RESTORE, log);
     for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                  "sbaa", "agaa", "dcaa", "adaptive"}) {
+                                  "sbaa", "agaa", "dcaa", "sgbc", "adaptive"}) {
         ViewParts parts(test.sdk, host.device.get());
         parts.setTechnique(technique, 4);
         parts.config.flags |= AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK;

@@ -238,7 +238,7 @@ void testLights(Test& test, const char* technique) {
 
 void addImageCases(Suite& suite) {
     for (const char* technique : {"single", "fxaa", "smaa", "taa", "msaa", "ssaa", "visibility", "simple_complex",
-                                  "sbaa", "agaa", "dcaa", "adaptive"})
+                                  "sbaa", "agaa", "dcaa", "sgbc", "adaptive"})
         suite.both("general/images_of_lights/" + std::string(technique),
                    [technique](Test& test) { testLights(test, technique); });
 }

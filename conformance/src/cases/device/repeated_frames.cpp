@@ -187,8 +187,8 @@ void testFacts(Test& test, const char* technique) {
 } // namespace
 
 void addRepeatedFrameCases(Suite& suite) {
-    const std::vector<const char*> tested = {"single",     "fxaa",           "smaa", "taa",  "msaa", "ssaa",
-                                             "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
+    const std::vector<const char*> tested = {"single",         "fxaa", "smaa", "taa",  "msaa", "ssaa",    "visibility",
+                                             "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"};
     for (const char* technique : tested)
         suite.both("general/repeated_frames_are_equal/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });

@@ -69,7 +69,8 @@ void resolve(ResolvedView& view) {
     if (view.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
         view.config.surfaceCosine = 2.0f; // no two normals have it
     resolveBatches(view, view.generationTier == AGAA_TIER_FRAGMENTS);
-    view.coverage.flags &= ~AGAA_COVERAGE_DEPTH_PREPASS; // shading would have to normalise
+    // Shading would have to normalise with a prepass. All fragments of a list are grouped at once, in any order.
+    view.coverage.flags &= ~(AGAA_COVERAGE_DEPTH_PREPASS | AGAA_COVERAGE_DRAW_ORDER | AGAA_COVERAGE_REVERSE_ORDER);
     if (view.generationTier != AGAA_TIER_FRAGMENTS)
         return;
     require(!(view.config.flags & AGAA_CONFIG_BUFFERED), AGAA_ERROR_UNSUPPORTED,

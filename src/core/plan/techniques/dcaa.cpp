@@ -1,5 +1,6 @@
 // `dcaa`: the fragments of a pixel, with their coverage, are merged into a few surfaces that are shaded once each (Wang
-// et al., "Decoupled Coverage Anti-Aliasing", I3D 2016).
+// et al., "Decoupled Coverage Anti-Aliasing", I3D 2016). `sgbc`: likewise, but each sample keeps its depth, so that a
+// surface has only the samples that show it (Kerzner and Salvi 2014).
 #include "core/base/checked.h"
 #include "core/base/error.h"
 #include "core/base/names.h"
@@ -27,15 +28,29 @@ bool mergesInOrder(const ResolvedView& view) {
     return view.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK || mergesInTargets(view);
 }
 
+void setThresholds(ViewSettings& view) {
+    setSurfaceDefaults(view, 0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
+}
+
 void resolve(ResolvedView& view) {
     resolveBatches(view, !mergesInOrder(view));
     checkDepthPrepass(view, !mergesInOrder(view));
+    require(!mergesInOrder(view) || !(view.coverage.flags & AGAA_COVERAGE_REVERSE_ORDER), AGAA_ERROR_UNSUPPORTED,
+            "AGAA_COVERAGE_REVERSE_ORDER needs lists of all fragments.");
     if (!isExact(view))
-        return setSurfaceDefaults(view, 0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
+        return setThresholds(view);
     if (mergesInOrder(view))
         fail(AGAA_ERROR_UNSUPPORTED,
              format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
                     tierName(view.generationTier)));
+}
+
+void resolveStreamed(ResolvedView& view) {
+    require(!isExact(view) && !hasDepthPrepass(view), AGAA_ERROR_UNSUPPORTED,
+            "\"sgbc\" keeps the depths of samples, so that it takes neither AGAA_COVERAGE_EXACT nor "
+            "AGAA_COVERAGE_DEPTH_PREPASS.");
+    resolveBatches(view, true);
+    setThresholds(view);
 }
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
@@ -81,9 +96,12 @@ void buildExact(PlanBuilder& b) {
     lists.finish(b);
 }
 
+// Behind the surfaces, the buffer has the bounds of pixels, or the depths of samples.
 ResourceId surfaceBuffer(PlanBuilder& b) {
     const uint64_t boundBytes = hasDepthPrepass(b.view()) ? 4 : 0;
-    return b.pixelBuffer("surfaces", checkedMultiply(b.view().aggregates, b.plan.bytesPerAggregate) + boundBytes);
+    const uint64_t depthBytes = b.passConstants()[AGAA_STREAMS] ? 4 * b.view().samples : 0;
+    return b.pixelBuffer("surfaces",
+                         checkedMultiply(b.view().aggregates, b.plan.bytesPerAggregate) + boundBytes + depthBytes);
 }
 
 Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
@@ -149,6 +167,7 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
 
 void build(PlanBuilder& b) {
     b.passConstants()[AGAA_NORMALISES] = hasDepthPrepass(b.view());
+    b.passConstants()[AGAA_REVERSE_ORDER] = (b.view().coverage.flags & AGAA_COVERAGE_REVERSE_ORDER) != 0;
     if (isExact(b.view()))
         return buildExact(b);
     const Aggregation surfaces = keptSurfaces(b);
@@ -169,6 +188,12 @@ void build(PlanBuilder& b) {
     setRecord(shade, surfaces);
 }
 
+void buildStreamed(PlanBuilder& b) {
+    b.passConstants()[AGAA_STREAMS] = 1;
+    build(b);
+}
+
+constexpr const GenerationTier* listTiers[] = {&fragmentListsTier, &materialListsTier};
 constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier, &rasterOrderTier};
 constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
@@ -182,6 +207,18 @@ const Technique dcaaTechnique = {.name = "dcaa",
                                  .build = build,
                                  .work = work,
                                  .resolve = resolve,
+                                 .storesWidenedLobes = true,
+                                 .keepsSpread = true,
+                                 .facts = knownCoverageFacts};
+
+const Technique sgbcTechnique = {.name = "sgbc",
+                                 .maxSamples = 0,
+                                 .maxAggregates = 8,
+                                 .tiers = listTiers,
+                                 .settings = settings,
+                                 .build = buildStreamed,
+                                 .work = work,
+                                 .resolve = resolveStreamed,
                                  .storesWidenedLobes = true,
                                  .keepsSpread = true,
                                  .facts = knownCoverageFacts};

@@ -55,12 +55,16 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
         return;
     const AgaaDecoupledCoverage& c = view.coverage = *chained;
     view.coverage.pNext = nullptr;
-    checkRange(uint64_t(c.merge), 0, AGAA_MERGE_NONE, "AgaaDecoupledCoverage::merge");
+    checkRange(uint64_t(c.merge), 0, AGAA_MERGE_COLOR, "AgaaDecoupledCoverage::merge");
     checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
     checkRange(uint64_t(c.maxBatches), 0, 64, "AgaaDecoupledCoverage::maxBatches");
     checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
-    checkFlags(c.flags, AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER | AGAA_COVERAGE_DEPTH_PREPASS,
+    checkFlags(c.flags,
+               AGAA_COVERAGE_EXACT | AGAA_COVERAGE_DRAW_ORDER | AGAA_COVERAGE_DEPTH_PREPASS |
+                   AGAA_COVERAGE_REVERSE_ORDER,
                "AgaaDecoupledCoverage::flags");
+    if (c.flags & AGAA_COVERAGE_REVERSE_ORDER)
+        view.coverage.flags |= AGAA_COVERAGE_DRAW_ORDER;
     if (c.tableSize)
         checkRange(uint64_t(c.tableSize), 16, 1024, "AgaaDecoupledCoverage::tableSize");
     checkReserved(c.reservedTable, "AgaaDecoupledCoverage::reservedTable");

@@ -5,10 +5,10 @@
 namespace agaa {
 
 TechniqueTable techniques() {
-    static constexpr const Technique* table[] = {&singleTechnique,     &fxaaTechnique,          &smaaTechnique,
-                                                 &taaTechnique,        &msaaTechnique,          &ssaaTechnique,
-                                                 &visibilityTechnique, &simpleComplexTechnique, &sbaaTechnique,
-                                                 &agaaTechnique,       &dcaaTechnique,          &adaptiveTechnique};
+    static constexpr const Technique* table[] = {
+        &singleTechnique, &fxaaTechnique,       &smaaTechnique,          &taaTechnique,  &msaaTechnique,
+        &ssaaTechnique,   &visibilityTechnique, &simpleComplexTechnique, &sbaaTechnique, &agaaTechnique,
+        &dcaaTechnique,   &sgbcTechnique,       &adaptiveTechnique};
     return table;
 }
 

@@ -16,6 +16,7 @@ extern const Technique simpleComplexTechnique;
 extern const Technique sbaaTechnique;
 extern const Technique agaaTechnique;
 extern const Technique dcaaTechnique;
+extern const Technique sgbcTechnique;
 extern const Technique adaptiveTechnique;
 
 } // namespace agaa
