@@ -9,17 +9,16 @@ The picture needs a built agaa-harness. The table needs the two files only.
 """
 import json
 import pathlib
-import struct
 import subprocess
 import sys
 import tempfile
 import textwrap
-import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT / "benchmark"))
 from command_line import tool_parser
 from markdown_table import row as table_row
+from png_rows import ImageError, beside, crop, read_png, write_png
 
 SCENE, SIZE = "bamboo", "480x270"
 CROP = 356, 52, 112, 92  # x, y, width, height in pixels
@@ -52,54 +51,6 @@ class Error(Exception):
     """One sentence for the user."""
 
 
-# ---- PNG with 8-bit RGB, which is all that agaa-harness writes ---------------------------------
-
-def paeth(left, up, corner):
-    estimate = left + up - corner
-    distances = abs(estimate - left), abs(estimate - up), abs(estimate - corner)
-    return (left, up, corner)[distances.index(min(distances))]
-
-
-def unfilter(kind, line, above):
-    """Undoes the filter of one scanline in place."""
-    for i in range(len(line)):
-        left, corner = (line[i - 3], above[i - 3]) if i >= 3 else (0, 0)
-        up = above[i]
-        line[i] = (line[i] + (0, left, up, (left + up) // 2, paeth(left, up, corner))[kind]) & 255
-    return line
-
-
-def read_png(path):
-    """Rows of RGB bytes."""
-    data, at, packed = path.read_bytes(), 8, b""
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        body = data[at + 8:at + 8 + length]
-        if kind == b"IHDR":
-            width, height, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", body)
-            if (depth, color, interlace) != (8, 2, 0):
-                raise Error(f"{path} is not an 8-bit RGB image.")
-        packed += body if kind == b"IDAT" else b""
-        at += length + 12
-    raw, rows, stride = zlib.decompress(packed), [bytearray(3 * width)], 3 * width + 1
-    for y in range(height):
-        line = raw[y * stride:(y + 1) * stride]
-        rows.append(unfilter(line[0], bytearray(line[1:]), rows[-1]))
-    return rows[1:]
-
-
-def write_png(path, rows, repeats):
-    """Writes each row `repeats` times. Repeated rows are stored as differences, which are 0."""
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
-    width = len(rows[0]) // 3
-    lines = b"".join(b"\0" + row + (b"\2" + bytes(len(row))) * (repeats - 1) for row in rows)
-    header = struct.pack(">IIBBBBB", width, len(rows) * repeats, 8, 2, 0, 0, 0)
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines, 9)) +
-                     chunk(b"IEND", b""))
-
-
 # ---- the picture and its table -------------------------------------------------------------------
 
 def render(harness, technique, samples, aggregates, path):
@@ -114,19 +65,13 @@ def render(harness, technique, samples, aggregates, path):
 
 
 def picture(harness, out):
-    x, y, width, height = CROP
     panels = []
     with tempfile.TemporaryDirectory() as folder:
         for _, *settings in COLUMNS:
             rows = render(harness, *settings, pathlib.Path(folder) / "image.png")
-            panels.append([row[3 * x:3 * (x + width)] for row in rows[y:y + height]])
-    gap = b"\xff" * (3 * GAP)
-    lines = []
-    for parts in zip(*panels):
-        wide = [b"".join(part[i:i + 3] * SCALE for i in range(0, len(part), 3)) for part in parts]
-        lines.append(gap.join(bytes(part) for part in wide))
+            panels.append(crop(rows, *CROP))
     out.parent.mkdir(parents=True, exist_ok=True)
-    write_png(out, lines, SCALE)
+    write_png(out, beside(panels, SCALE, GAP), SCALE)
 
 
 def tier_of(row):
@@ -206,6 +151,6 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except Error as error:
+    except (Error, ImageError) as error:
         print(error, file=sys.stderr)
         sys.exit(1)
