@@ -19,7 +19,8 @@ README = ROOT / "README.md"
 ROOT_DOCUMENTS = [README, *(ROOT / name for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"))]
 INDEX = ROOT / "docs" / "README.md"
 GUIDES = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs" / "integration").glob("*.md"))]
-GENERATED = [ROOT / "docs" / name for name in ("choosing.md", "effects.md", "memory.md", "papers.md", "state.md")]
+GENERATED = [ROOT / "docs" / name for name in ("choosing.md", "effects.md", "memory.md", "paper_figures.md", "papers.md",
+                                            "state.md")]
 WRITTEN = [guide for guide in GUIDES if guide not in GENERATED]
 MIGRATION = ROOT / "docs" / "abi.md"  # names of earlier versions, too
 
