@@ -4,7 +4,7 @@
     benchmark/papers.py measure [--out FOLDER]     OUT/papers.json
     benchmark/papers.py page RESULTS.json          the page, on standard output
 
-Each section of the page has a module: papers_agaa.py, papers_dcaa.py and papers_adaptive.py. Errors are mseTm of docs/sweep.md.
+Each section of the page has a module: papers_agaa.py, papers_dcaa.py, papers_sgbc.py and papers_adaptive.py. Errors are mseTm of docs/sweep.md.
 An interrupted run continues with the results in OUT/work.
 """
 import argparse
@@ -15,10 +15,11 @@ import sys
 import papers_adaptive
 import papers_agaa
 import papers_dcaa
+import papers_sgbc
 from markdown_table import table
 from runs import HARNESS, Runs, find_scenes, view_options, write_json
 
-SECTIONS = [papers_agaa, papers_dcaa, papers_adaptive]
+SECTIONS = [papers_agaa, papers_dcaa, papers_sgbc, papers_adaptive]
 DEVICE = ["--backend", "vk", "--no-validation"]
 FRAME = [*DEVICE, "--frames", 1, "--warmup", 0]
 
