@@ -219,6 +219,21 @@ TEST(Goals, SettingsThatCannotBePlannedAreLeftOut) {
     EXPECT_FALSE(host.message.empty());
 }
 
+// A pattern of the host is for the described number of coverage samples alone, of which the table has no row.
+TEST(Goals, PatternsOfOtherNumbersAreLeftOut) {
+    Host host;
+    AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;
+    const std::vector<float> positions(2 * 32, 0.5f);
+    coverage.samplePositions = positions.data();
+    host.config.technique = "dcaa";
+    host.config.samples = 32;
+    host.config.pNext = &coverage;
+    host.goal.maxErrorShare = 0.02f;
+    const uint32_t withPattern = host.fresh().leftOut;
+    coverage.samplePositions = nullptr;
+    EXPECT_GT(withPattern, host.fresh().leftOut);
+}
+
 TEST(Goals, SettingsOfTheViewThatAChoiceSetsDoNotCount) {
     Host host;
     host.goal.maxErrorShare = 0.1f;

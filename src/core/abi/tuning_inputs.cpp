@@ -9,11 +9,9 @@ namespace agaa {
 namespace {
 
 ViewSettings withSettings(ViewSettings view, const ChoiceRow& row) {
-    require(view.samplePositions.empty() || row.samples == view.samples, AGAA_ERROR_UNSUPPORTED,
-            "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
     applySettings(row, view.config, view.aggregation, &view.measurement);
     view.technique = findTechnique(techniques(), row.technique);
-    setCounts(view, row.samples, view.config.aggregates);
+    changeSamples(view, row.samples);
     return view;
 }
 

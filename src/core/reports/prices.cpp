@@ -188,17 +188,6 @@ std::vector<uint32_t> aggregateCounts(const Technique& technique, const ViewSett
     return counts;
 }
 
-void changeSamples(ViewSettings& view, uint32_t samples) {
-    require(view.samplePositions.empty() || samples == view.samples, AGAA_ERROR_UNSUPPORTED,
-            "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
-    const bool countsCoverage = view.technique->countsCoverage(view.config.generationTier, samples);
-    require(view.coveragePositions.empty() || samples == view.samples || !countsCoverage, AGAA_ERROR_UNSUPPORTED,
-            "AgaaDecoupledCoverage::samplePositions has the positions of the described samples alone.");
-    if (!countsCoverage)
-        view.coveragePositions.clear();
-    setCounts(view, samples, view.config.aggregates);
-}
-
 void changeAggregates(ViewSettings& view, uint32_t aggregates) { setCounts(view, view.samples, aggregates); }
 
 // The subject of a price.

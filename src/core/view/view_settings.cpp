@@ -254,6 +254,17 @@ void setCounts(ViewSettings& view, uint32_t samples, uint32_t aggregates) {
     view.aggregates = view.technique->maxAggregates ? std::min(aggregates, samples) : 0;
 }
 
+void changeSamples(ViewSettings& view, uint32_t samples) {
+    require(view.samplePositions.empty() || samples == view.samples, AGAA_ERROR_UNSUPPORTED,
+            "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
+    const bool countsCoverage = view.technique->countsCoverage(view.config.generationTier, samples);
+    require(view.coveragePositions.empty() || samples == view.samples || !countsCoverage, AGAA_ERROR_UNSUPPORTED,
+            "AgaaDecoupledCoverage::samplePositions has the positions of the described samples alone.");
+    if (!countsCoverage)
+        view.coveragePositions.clear();
+    setCounts(view, samples, view.config.aggregates);
+}
+
 ViewSettings resolveView(const AgaaViewDesc* pointer, TechniqueTable table) {
     const AgaaViewDesc desc = checkViewDesc(pointer);
     ViewSettings view;

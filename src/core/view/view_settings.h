@@ -60,6 +60,9 @@ struct ViewSettings {
 
 // Changes n and c of a view. A technique without aggregates has none, and no view has more aggregates than samples.
 void setCounts(ViewSettings& view, uint32_t samples, uint32_t aggregates);
+// Changes n to a value that the technique of the settings accepts. Throws AGAA_ERROR_UNSUPPORTED if positions of
+// samples are those of another n.
+void changeSamples(ViewSettings& view, uint32_t samples);
 
 // Returns the types of the structs that may be chained to AgaaConfig.
 std::vector<uint32_t> configChain(TechniqueTable table);
