@@ -115,7 +115,7 @@ def configurations():
         for n in (8, 32):
             add("agaa buffered", "agaa", n, "--aggregates", 4, "--gloss-weight", 0.5, "--buffered", tier=tier)
     for preset in ("paper", "fast", "balanced", "accurate"):
-        # With two geometry passes, balanced and accurate leave out what makes them different passes.
+        # With two geometry passes, balanced and accurate leave out their weight of gloss and lit shadows.
         for tier in (*(TWO_PASSES if preset in ("paper", "fast") else ()), "gbuffer", "ids"):
             for n in (4, 8, 16, 32):
                 add(preset, ["--preset", preset], n, tier=tier)

@@ -228,7 +228,7 @@ uint agaa_findOverlapping(uint i, uint count, real slack) {
     return best;
 }
 
-// Returns the cosine that the largest difference of colours counts as, by measurement.
+// Returns the cosine that the largest difference of colours counts as. Other values were not compared.
 real agaa_colorWeight() { return real(2.0); }
 
 // The merge of a surface into its target.
