@@ -53,7 +53,8 @@ def configurations():
             if extra != ["--buffered"] or tier in ("gbuffer", "ids"):
                 yield ["--tier", f"generation={tier}", *extra]
     for extra in (["--first-sample-routing"], ["--shadow-along-depth"], ["--no-shadow-filter"], ["--no-diffuse-filter"],
-                  ["--shadow-covariance"], ["--light-directions"], ["--diffuse-filter", "mises-fisher"], ["--diffuse-filter", "sggx"],
+                  ["--shadow-covariance"], ["--light-directions"], ["--depth-planes"],
+                  ["--tier", "generation=post-depth-atomics", "--stored-depth"], ["--diffuse-filter", "mises-fisher"], ["--diffuse-filter", "sggx"],
                   ["--tier", "generation=ids", "--unfetched-every", 3], ["--tier", "generation=ids", "--lit"],
                   ["--without", "specular"], ["--without", "shadows"], ["--alpha-points", 4], ["--dither-frame", 7]):
         yield extra

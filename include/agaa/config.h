@@ -409,9 +409,18 @@ typedef enum AgaaLanes {
 /* AGAA 3.5.3: shadow taps along the view ray by the variance of depth, within the depths of the samples. The tier
  * FRAGMENTS takes taps at samples instead. */
 #define AGAA_MEASURE_SHADOW_ALONG_DEPTH UINT64_C(0x04)
-/* AGAA 3.5.3: four shadow taps along the longest axis of the covariance of positions. Excludes SHADOW_ALONG_DEPTH and
- * NO_SHADOW_FILTER (AGAA_ERROR_INVALID_ARGUMENT). The tier FRAGMENTS takes taps at samples instead. */
+/* AGAA 3.5.3: four shadow taps along the longest axis of the covariance of positions. Excludes SHADOW_ALONG_DEPTH,
+ * STORED_DEPTH and NO_SHADOW_FILTER (AGAA_ERROR_INVALID_ARGUMENT). The tier FRAGMENTS takes taps at samples instead. */
 #define AGAA_MEASURE_SHADOW_COVARIANCE UINT64_C(0x80)
+/* AGAA 3.5.3: fragments sum moments of depth in the aggregates, 16 bytes each. Shading reads these in place of the
+ * samples' depths: an aggregate is at their mean, and shadow taps lie along the view ray as with SHADOW_ALONG_DEPTH,
+ * unless NO_SHADOW_FILTER is set. Requires "agaa" by the tier POST_DEPTH_ATOMICS or PER_SAMPLE
+ * (AGAA_ERROR_UNSUPPORTED). Excludes SHADOW_COVARIANCE (AGAA_ERROR_INVALID_ARGUMENT). */
+#define AGAA_MEASURE_STORED_DEPTH UINT64_C(0x100)
+/* AGAA 4.1: where a pixel shows no more planes than it may have aggregates, planes are grouped in place of samples. The
+ * samples of a plane have one normal, as stored, and are within the steps of their depths. Lanes of single samples
+ * group samples. */
+#define AGAA_MEASURE_DEPTH_PLANES UINT64_C(0x200)
 /* AGAA 3.5.2: point and spot lights widen the lobes of aggregates by the variance of their directions over the
  * positions of the samples. Other techniques widen those of events that stand for several samples. */
 #define AGAA_MEASURE_LIGHT_DIRECTIONS UINT64_C(0x40)

@@ -66,12 +66,13 @@ template <class Clustering> struct RunResult {
 
 template <class Clustering>
 RunResult<Clustering> runClustering(const std::vector<Sample>& pixel, unsigned c, double k, double t,
-                                    bool literal = false, bool hasClasses = false) {
+                                    bool literal = false, bool hasClasses = false, bool hasPlanes = false) {
     using vec3 = std::decay_t<decltype(Clustering::agaa_samplePosition[0])>;
     using real = std::decay_t<decltype(vec3::x)>;
     RunResult<Clustering> r;
     r.state = std::make_unique<Clustering>();
     r.state->hasClasses = hasClasses;
+    r.state->hasPlanes = hasPlanes;
     unsigned covered = 0;
     for (unsigned i = 0; i < pixel.size(); ++i) {
         r.state->agaa_setSample(i, vec3(pixel[i].position), vec3(pixel[i].normal), real(pixel[i].depthStep),

@@ -33,6 +33,7 @@ agaa_CoveredSurface agaa_rounded(agaa_CoveredSurface s) { return s; }
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/normal_moments.glsl"
+#include "../../src/shaders/math/depth_moments.glsl"
 #include "../../src/shaders/math/sggx.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
@@ -45,6 +46,7 @@ agaa_CoveredSurface agaa_rounded(agaa_CoveredSurface s) { return s; }
 #include "../../src/shaders/math/edge_shares.glsl"
 #include "../../src/shaders/math/history.glsl"
 #define AGAA_CLASSES true
+#define AGAA_PLANES true
 #include "../../src/shaders/math/clustering.glsl"
 
 layout(local_size_x = 64) in;

@@ -26,6 +26,7 @@
 #undef AGAA_MATH_NDF_GLSL
 #undef AGAA_MATH_NORMAL_SPREAD_GLSL
 #undef AGAA_MATH_NORMAL_MOMENTS_GLSL
+#undef AGAA_MATH_DEPTH_MOMENTS_GLSL
 #undef AGAA_MATH_SGGX_GLSL
 #undef AGAA_MATH_BRDF_GLSL
 #undef AGAA_MATH_DEPTH_GLSL
@@ -67,6 +68,7 @@
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/normal_moments.glsl"
+#include "../../src/shaders/math/depth_moments.glsl"
 #include "../../src/shaders/math/sggx.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
@@ -86,10 +88,12 @@ struct FragmentLists {
 };
 
 struct Clustering {
-    bool hasClasses = false;
+    bool hasClasses = false, hasPlanes = false;
 #define AGAA_CLASSES hasClasses
+#define AGAA_PLANES hasPlanes
 #include "../../src/shaders/math/clustering.glsl"
 #include "../../src/shaders/math/sbaa_surfaces.glsl"
+#undef AGAA_PLANES
 #undef AGAA_CLASSES
 };
 

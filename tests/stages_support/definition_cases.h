@@ -156,6 +156,7 @@ Agreement compareWithOracle(typename Host::Context& context, const ViewSettings&
                 continue;
             const AgaaConfig& config = view.plan().view.config;
             Ids cpu{pixel.covered, {}};
+            pixel.clustering->hasPlanes = view.plan().view.measurement.flags & AGAA_MEASURE_DEPTH_PLANES;
             const bool one =
                 pixel.clustering->agaa_areAllOneSurface(n, pixel.covered, double(config.surfaceCosine), pixel.width);
             const uint32_t count =
@@ -301,6 +302,17 @@ TYPED_TEST_P(DefinitionCases, AgreesForSeedsAsPrinted) {
     ViewSettings settings = definition::settingsFor(8, 4);
     settings.config.measurement.seeds = AGAA_SEEDS_SUM_OF_SQUARES;
     this->expectOracle(settings, randomTriangles({.triangles = 400}, 22));
+}
+
+// AGAA 4.1: planes in place of samples. Triangles of these sizes show few planes in most pixels.
+TYPED_TEST_P(DefinitionCases, AgreesForPlanes) {
+    for (const uint32_t c : {2u, 4u}) {
+        ViewSettings settings = definition::settingsFor(8, c);
+        settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
+        settings.config.measurement.flags = AGAA_MEASURE_DEPTH_PLANES;
+        settings.config.measurement.lanes = AGAA_LANES_PIXEL;
+        this->expectOracle(settings, randomTriangles({.triangles = 60}, 29));
+    }
 }
 
 TYPED_TEST_P(DefinitionCases, AgreesForAFixedLength) {
@@ -478,10 +490,11 @@ TYPED_TEST_P(DefinitionCases, HardCase20AFarBackdropLeavesNearRailsApart) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(DefinitionCases, AgreesWithDoubleForEverySampleAndAggregateCount,
-                            AgreesWhereSurfacesMayBeSplit, AgreesForSeedsAsPrinted, AgreesForAFixedLength,
-                            AgreesForOrthographicViews, StepsInOrthographicViewsArePartedAlike, AgreesForOtherSurfaces,
-                            HardCase16AgreesForReversedDepthAndInfiniteFarPlane, HardCase55AgreesAtOddSizes,
-                            ASurfaceIsOneAggregateAtAnySlope, ParallelLayersAreTwoAggregates,
-                            HardCase20AWallStaysOneAggregate, HardCase20AFarBackdropLeavesNearRailsApart);
+                            AgreesWhereSurfacesMayBeSplit, AgreesForSeedsAsPrinted, AgreesForPlanes,
+                            AgreesForAFixedLength, AgreesForOrthographicViews, StepsInOrthographicViewsArePartedAlike,
+                            AgreesForOtherSurfaces, HardCase16AgreesForReversedDepthAndInfiniteFarPlane,
+                            HardCase55AgreesAtOddSizes, ASurfaceIsOneAggregateAtAnySlope,
+                            ParallelLayersAreTwoAggregates, HardCase20AWallStaysOneAggregate,
+                            HardCase20AFarBackdropLeavesNearRailsApart);
 
 } // namespace agaa::test

@@ -182,8 +182,41 @@ glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
     return (sum + background * double(plan_.view.samples - covered)) / double(plan_.view.samples);
 }
 
+// By the moments that fragments sum, in place of the samples' depths.
+std::pair<glm::dvec3, std::vector<glm::dvec3>>
+ShadingOracle::storedTapsOf(const std::vector<glm::dvec3>& samples) const {
+    const double p22 = double(constants_.projection22), p32 = double(constants_.projection32);
+    const uint32_t orthographic = constants_.isOrthographic;
+    const float* v = frame_.view;
+    const glm::dmat3 view(v[0], v[1], v[2], v[4], v[5], v[6], v[8], v[9], v[10]);
+    const uint32_t count = uint32_t(samples.size());
+    glm::uvec4 sums(0);
+    glm::dvec2 aside(0);
+    for (const glm::dvec3& sample : samples) {
+        const glm::dvec3 at = view * sample;
+        const uint32_t code =
+            math_d::agaa_depthCode(math_d::agaa_depthOfViewZ(at.z, p22, p32, orthographic), p22, p32, orthographic);
+        for (uint32_t m = 0; m < 4; ++m)
+            sums[int(m)] += math_d::agaa_depthTerm(m, code);
+        aside += glm::dvec2(at) / (orthographic ? 1.0 : at.z) / double(count);
+    }
+    const auto depth = math_d::agaa_storedDepth(math_d::agaa_momentsOfCodes(sums, count), p22, p32, orthographic);
+    const auto placed = [&](double z) {
+        return glm::transpose(view) * glm::dvec3(aside * (orthographic ? 1.0 : z), z);
+    };
+    std::vector<glm::dvec3> taps;
+    for (const double quantile : {-1.34, -0.45, 0.45, 1.34})
+        if (depth.deviation > 0 && !(plan_.view.measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER))
+            taps.push_back(placed(std::clamp(depth.mean + quantile * depth.deviation, depth.farthest, depth.nearest)));
+    if (taps.empty())
+        taps.push_back(placed(depth.mean));
+    return {placed(depth.mean), taps};
+}
+
 std::pair<glm::dvec3, std::vector<glm::dvec3>>
 ShadingOracle::shadowTapsOf(const std::vector<glm::dvec3>& samples) const {
+    if (plan_.view.measurement.flags & AGAA_MEASURE_STORED_DEPTH)
+        return storedTapsOf(samples);
     const AgaaConfig& config = plan_.view.config;
     const bool alongDepth = plan_.view.measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH;
     const size_t count = samples.size();
@@ -233,7 +266,7 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
     uint32_t covered = 0;
     for (uint32_t a = 0; a < plan_.view.aggregates; ++a) {
         const uint32_t* words =
-            &words_[((size_t(y) * plan_.view.width + x) * plan_.view.aggregates + a) * packing.words];
+            &words_[((size_t(y) * plan_.view.width + x) * plan_.view.aggregates + a) * (plan_.bytesPerAggregate / 4)];
         const uint64_t field = words[packing.coverage.word] >> packing.coverage.shift;
         const uint32_t mask = uint32_t(field & ((uint64_t(1) << plan_.view.samples) - 1));
         if (!mask)

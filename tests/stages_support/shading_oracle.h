@@ -48,6 +48,7 @@ private:
                      const std::vector<double>& visibility) const;
     double spreadOf(const std::vector<glm::dvec3>& samples, const glm::dvec3& mean) const;
     // Of an aggregate: the mean of its samples' positions, and where its shadows are looked up.
+    std::pair<glm::dvec3, std::vector<glm::dvec3>> storedTapsOf(const std::vector<glm::dvec3>& samples) const;
     std::pair<glm::dvec3, std::vector<glm::dvec3>> shadowTapsOf(const std::vector<glm::dvec3>& samples) const;
     glm::dvec3 perSamplePixel(uint32_t x, uint32_t y) const;
     glm::dvec3 aggregatedPixel(uint32_t x, uint32_t y) const;

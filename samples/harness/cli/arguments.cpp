@@ -240,6 +240,8 @@ Configuration::Configuration(const PlanArguments& arguments) {
     measure(arguments.shadowAlongDepth, AGAA_MEASURE_SHADOW_ALONG_DEPTH);
     measure(arguments.shadowCovariance, AGAA_MEASURE_SHADOW_COVARIANCE);
     measure(arguments.lightDirections, AGAA_MEASURE_LIGHT_DIRECTIONS);
+    measure(arguments.storedDepth, AGAA_MEASURE_STORED_DEPTH);
+    measure(arguments.depthPlanes, AGAA_MEASURE_DEPTH_PLANES);
     config.measurement.diffuseFilter = choice(arguments.diffuseFilter, "--diffuse-filter",
                                               {{"rectified", AGAA_DIFFUSE_RECTIFIED},
                                                {"mises-fisher", AGAA_DIFFUSE_MISES_FISHER},

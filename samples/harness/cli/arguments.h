@@ -77,6 +77,8 @@ struct PlanArguments {
     bool shadowAlongDepth = false;
     bool shadowCovariance = false;
     bool lightDirections = false;
+    bool storedDepth = false;
+    bool depthPlanes = false;
     std::string diffuseFilter = "rectified";
     bool reversedZ = true;
     std::string expand = "geometry";

@@ -59,6 +59,8 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_flag("--no-shadow-filter", a.noShadowFilter);
     app.add_flag("--shadow-along-depth", a.shadowAlongDepth, "the paper's shadow taps");
     app.add_flag("--shadow-covariance", a.shadowCovariance, "shadow taps along the longest axis of an aggregate");
+    app.add_flag("--stored-depth", a.storedDepth, "agaa by two passes: aggregates store moments of depth");
+    app.add_flag("--depth-planes", a.depthPlanes, "agaa: planes are grouped in place of samples, where they are few");
     app.add_flag("--light-directions", a.lightDirections, "widen lobes by the variance of light directions");
     app.add_option("--diffuse-filter", a.diffuseFilter, "agaa: rectified, mises-fisher or sggx");
     CLI::Option* preset = app.add_option("--preset", a.preset, "paper, fast, balanced or accurate: settings of agaa");

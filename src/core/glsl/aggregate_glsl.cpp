@@ -15,7 +15,9 @@ std::string aggregateGlsl(const Plan& plan) {
         if (pass.kind() == PassKind::Compute && pass.compute().shadesAggregates)
             shade = &pass;
     // Surfaces of "sbaa" have records in addition to their words.
-    const auto isSummed = [](const Constants& c) { return c[AGAA_STRIDE] == c[AGAA_WORDS] + c[AGAA_SPREAD_WORDS]; };
+    const auto isSummed = [](const Constants& c) {
+        return c[AGAA_STRIDE] == c[AGAA_WORDS] + c[AGAA_SPREAD_WORDS] + c[AGAA_DEPTH_WORDS];
+    };
     require(shade && isSummed(shade->constants), AGAA_ERROR_UNSUPPORTED,
             "the view leaves no aggregates in memory: it is not of \"agaa\" by two passes, and not of the tiers ids "
             "or gbuffer with AGAA_CONFIG_BUFFERED.");

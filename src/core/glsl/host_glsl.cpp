@@ -226,7 +226,9 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
         defineSwitch(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         defineSwitch(out, "AGAA_SPREAD_WORDS", c[AGAA_SPREAD_WORDS]);
-        defineSwitch(out, "AGAA_REPRESENTED", c[AGAA_STRIDE] != c[AGAA_WORDS] + c[AGAA_SPREAD_WORDS]);
+        defineSwitch(out, "AGAA_DEPTH_WORDS", c[AGAA_DEPTH_WORDS]);
+        defineSwitch(out, "AGAA_REPRESENTED",
+                     c[AGAA_STRIDE] != c[AGAA_WORDS] + c[AGAA_SPREAD_WORDS] + c[AGAA_DEPTH_WORDS]);
         const auto isNormals = [](const Binding& binding) { return binding.slot == host_slot::Normals; };
         defineSwitch(out, "AGAA_CHECKS_FAR_PLANE", std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);

@@ -25,10 +25,12 @@ Constants constantsOf(const ResolvedView& view) {
     c[AGAA_LIGHT_DIRECTIONS] = (measurement.flags & AGAA_MEASURE_LIGHT_DIRECTIONS) != 0;
     c[AGAA_SHADOW_MAPS] = view.facts.shadowMapCount;
     c[AGAA_SHADOW_TAPS] = config.shadowTaps;
-    c[AGAA_SHADOW_FILTER] = measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER     ? AGAA_SHADOW_AT_MEAN
-                            : measurement.flags & AGAA_MEASURE_SHADOW_COVARIANCE  ? AGAA_SHADOW_COVARIANCE
-                            : measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH ? AGAA_SHADOW_ALONG_DEPTH
-                                                                                  : AGAA_SHADOW_AT_SAMPLES;
+    c[AGAA_SHADOW_FILTER] = measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER    ? AGAA_SHADOW_AT_MEAN
+                            : measurement.flags & AGAA_MEASURE_SHADOW_COVARIANCE ? AGAA_SHADOW_COVARIANCE
+                            : measurement.flags & (AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_MEASURE_STORED_DEPTH)
+                                ? AGAA_SHADOW_ALONG_DEPTH
+                                : AGAA_SHADOW_AT_SAMPLES;
+    c[AGAA_DEPTH_PLANES] = (measurement.flags & AGAA_MEASURE_DEPTH_PLANES) != 0;
     c[AGAA_COUNTERS] = view.hasCounters();
     c[AGAA_SEEDS] = measurement.seeds;
     c[AGAA_EMISSIVE_CHANNELS] = view.layout[AGAA_SEMANTIC_EMISSIVE].channels;

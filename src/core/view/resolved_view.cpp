@@ -92,7 +92,8 @@ void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const 
 
 // The aggregates in memory that two geometry passes fill.
 uint64_t aggregateBytes(const ResolvedView& view) {
-    const uint64_t moments = view.keepsNormalMoments() ? AGAA_MOMENT_WORDS : 0;
+    const uint64_t moments =
+        (view.keepsNormalMoments() ? AGAA_MOMENT_WORDS : 0) + (view.storesDepth() ? AGAA_DEPTH_MOMENT_WORDS : 0);
     const Layout layout = view.needsSampleNormals() ? twoPassLayout(view.layout, view.facts.flags) : view.layout;
     const uint64_t words = packAggregate(layout, view.samples).words + moments;
     return checkedMultiply(uint64_t(view.width) * view.height, 4 * words * view.aggregates + view.claimBytes());
@@ -165,6 +166,9 @@ void checkTierOptions(const ResolvedView& view, const Technique& technique) {
     require(!view.keepsNormalMoments() || view.generationTier != AGAA_TIER_NV_MIXED_SAMPLES, AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::ndf asks for elliptic lobes, or AgaaMeasurement::diffuseFilter for SGGX, whose moments of "
             "normals the tier nv-mixed-samples does not keep.");
+    require(!view.storesDepth() || (technique.groupsSamples && view.sumsFragments()), AGAA_ERROR_UNSUPPORTED,
+            "AgaaMeasurement::flags: AGAA_MEASURE_STORED_DEPTH needs \"agaa\" with the tier post-depth-atomics or "
+            "per-sample, whose fragments add to the sums of aggregates.");
     require(view.measurement.diffuseFilter != AGAA_DIFFUSE_SGGX || !view.aggregation.litShadows, AGAA_ERROR_UNSUPPORTED,
             "AgaaMeasurement::diffuseFilter: AGAA_DIFFUSE_SGGX excludes AgaaAggregation::litShadows.");
     const uint32_t shown = view.measurement.debugView;

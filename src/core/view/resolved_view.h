@@ -25,6 +25,7 @@ struct ResolvedView : ViewSettings {
     bool knowsMaterials() const { return generation && generation->knowsMaterials; }
     bool countsPrimitives() const { return generation && generation->countsPrimitives; }
     bool readsGBuffer() const { return generation && generation->readsGBuffer; }
+    bool sumsFragments() const { return generation && generation->sumsFragments; }
     bool isModel() const { return generation && generation->isModel; }         // it is priced and never run
     bool accumulates() const { return config.flags & AGAA_CONFIG_ACCUMULATE; } // frames
     bool hasCounters() const { return config.flags & AGAA_CONFIG_COUNTERS; }
@@ -35,6 +36,8 @@ struct ResolvedView : ViewSettings {
     bool keepsNormalMoments() const {
         return config.ndf > AGAA_NDF_TOKSVIG || measurement.diffuseFilter == AGAA_DIFFUSE_SGGX;
     }
+    // Returns whether aggregates have the moments of their samples' depths.
+    bool storesDepth() const { return measurement.flags & AGAA_MEASURE_STORED_DEPTH; }
     // Bytes per pixel, besides the aggregates in memory, that record which samples have an aggregate. Two geometry
     // passes need them if a sample may go to any aggregate.
     uint64_t claimBytes() const { return measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }

@@ -53,7 +53,8 @@ struct GenerationTier {
     bool isModel = false;        // it is priced and never run
     bool knowsMaterials = false; // when samples are grouped
     bool countsPrimitives = false;
-    bool readsGBuffer = false; // samples are grouped from a G-buffer
+    bool readsGBuffer = false;  // samples are grouped from a G-buffer
+    bool sumsFragments = false; // the second geometry pass adds fragments to the sums of aggregates in memory
     // n counts coverage samples, 32, 64 or 128, that the tier finds by itself. Targets have one sample.
     bool hasCoverageSamples = false;
     TierAnswer (*answer)(const GenerationQuery& query);

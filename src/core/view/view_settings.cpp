@@ -26,14 +26,16 @@ static void readMeasurement(const AgaaConfig& config, ViewSettings& view) {
     checkFlags(m.flags,
                AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
                    AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING |
-                   AGAA_MEASURE_LIGHT_DIRECTIONS | AGAA_MEASURE_SHADOW_COVARIANCE,
+                   AGAA_MEASURE_LIGHT_DIRECTIONS | AGAA_MEASURE_SHADOW_COVARIANCE | AGAA_MEASURE_STORED_DEPTH |
+                   AGAA_MEASURE_DEPTH_PLANES,
                "AgaaMeasurement::flags");
     checkRange(uint64_t(m.diffuseFilter), 0, AGAA_DIFFUSE_SGGX, "AgaaMeasurement::diffuseFilter");
     checkReserved(m.reserved, "AgaaMeasurement::reserved");
-    require(!(m.flags & AGAA_MEASURE_SHADOW_COVARIANCE) ||
-                !(m.flags & (AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_MEASURE_NO_SHADOW_FILTER)),
-            AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaMeasurement::flags: AGAA_MEASURE_SHADOW_COVARIANCE excludes the other places of shadow taps.");
+    require(
+        !(m.flags & AGAA_MEASURE_SHADOW_COVARIANCE) ||
+            !(m.flags & (AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_MEASURE_STORED_DEPTH | AGAA_MEASURE_NO_SHADOW_FILTER)),
+        AGAA_ERROR_INVALID_ARGUMENT,
+        "AgaaMeasurement::flags: AGAA_MEASURE_SHADOW_COVARIANCE excludes the other places of shadow taps.");
 }
 
 static void readSettings(const AgaaConfig& config, TechniqueTable table, ViewSettings& view) {

@@ -5,6 +5,7 @@
 #error "pixel_samples.glsl needs AGAA_MAX_SAMPLES."
 #endif
 #define AGAA_CLASSES (AGAA_CLASS_CHANNEL != 0u)
+#define AGAA_PLANES (AGAA_DEPTH_PLANES != 0u)
 #include "math/clustering.glsl"
 #include "math/ndf.glsl"
 #include "common/camera.glsl"

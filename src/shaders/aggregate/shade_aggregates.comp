@@ -43,6 +43,7 @@ layout(std430, AGAA_BINDING_AGGREGATES) readonly buffer agaa_AggregateBlock {
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
 #define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_aggregate.glsl"
+#include "aggregate/stored_depth.glsl"
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
@@ -97,7 +98,11 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     uint mask = agaa_coverage();
     uint normals = mask;
     agaa_aggregateSamples = uint(bitCount(mask));
-    vec3 position = agaa_locateAggregate(pixel, mask);
+    vec3 position;
+    if (AGAA_DEPTH_WORDS != 0u)
+        position = agaa_locateByMoments(pixel, mask);
+    else
+        position = agaa_locateAggregate(pixel, mask);
 #if AGAA_REPRESENTED
     uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);
     normals = 1u << shaded;

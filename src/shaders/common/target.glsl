@@ -32,11 +32,14 @@ float agaa_storedQuantum(float depth) {
 }
 
 // offset   Position in the pixel, [0, 1].
-vec3 agaa_viewPositionAt(uvec2 pixel, vec2 offset, float depth) {
+vec3 agaa_viewPositionAtZ(uvec2 pixel, vec2 offset, float z) {
     vec2 ndc = (vec2(pixel) + offset) / vec2(agaa_frame.size) * 2.0 - 1.0;
-    return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projectionScale.x,
-                             agaa_frame.projectionScale.y, agaa_frame.projectionOffset.x,
-                             agaa_frame.projectionOffset.y, agaa_isOrthographic());
+    return agaa_viewPosition(ndc, z, agaa_frame.projectionScale.x, agaa_frame.projectionScale.y,
+                             agaa_frame.projectionOffset.x, agaa_frame.projectionOffset.y, agaa_isOrthographic());
+}
+
+vec3 agaa_viewPositionAt(uvec2 pixel, vec2 offset, float depth) {
+    return agaa_viewPositionAtZ(pixel, offset, agaa_sampleViewZ(depth));
 }
 
 vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {

@@ -1,8 +1,10 @@
 // Generation pass: adds a fragment's attributes to the aggregates of its visible samples, split exactly (AGAA algorithm
 // 2). Sums are integers, so the order of fragments does not matter. Needs the macros of core/glsl/host_glsl.cpp.
-#if !defined(AGAA_WORDS) || !defined(AGAA_STRIDE) || !defined(AGAA_REPRESENTED) || !defined(AGAA_SPREAD_WORDS)
-#error "accumulate_aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE, AGAA_REPRESENTED and AGAA_SPREAD_WORDS."
+#if !defined(AGAA_WORDS) || !defined(AGAA_STRIDE) || !defined(AGAA_REPRESENTED) || !defined(AGAA_SPREAD_WORDS) || \
+    !defined(AGAA_DEPTH_WORDS)
+#error "accumulate_aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE, AGAA_REPRESENTED, AGAA_SPREAD_WORDS, AGAA_DEPTH_WORDS."
 #endif
+#include "math/depth_moments.glsl"
 #include "math/normal_moments.glsl"
 layout(early_fragment_tests) in;
 #if AGAA_POST_DEPTH_COVERAGE
@@ -87,7 +89,34 @@ uint agaa_representedPart(uint mask, uint base) {
 }
 #endif
 
+#if AGAA_DEPTH_WORDS
+// Adds the depths of these samples, which lie on the fragment's plane.
+// at        Index of the first word of the sums.
+// samples   Of the pixel.
+// slope     Change of depth per texel.
+void agaa_addDepths(uint at, uint samples, vec2 slope) {
+    uint sums[AGAA_DEPTH_WORDS];
+    for (uint m = 0u; m < AGAA_DEPTH_WORDS; ++m)
+        sums[m] = 0u;
+    for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
+        float depth = gl_FragCoord.z;
+#if AGAA_HW_SAMPLES > 1 && !AGAA_PER_SAMPLE // otherwise it is the sample's
+        depth += dot(slope, agaa_sampleOffset(uint(findLSB(rest)) - agaa_hostGroup() * AGAA_HW_SAMPLES));
+#endif
+        uint code = agaa_depthCode(depth, agaa_frame.projection22, agaa_frame.projection32,
+                                   agaa_frame.isOrthographic);
+        for (uint m = 0u; m < AGAA_DEPTH_WORDS; ++m)
+            sums[m] += agaa_depthTerm(m, code);
+    }
+    for (uint m = 0u; m < AGAA_DEPTH_WORDS; ++m)
+        agaa_addToWord(at + m, sums[m]);
+}
+#endif
+
 void agaa_emit(AgaaSurfaceInput s) {
+#if AGAA_DEPTH_WORDS
+    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)); // derivatives need uniform control flow
+#endif
     uint mask = agaa_fragmentMask(s);
     if (mask == 0u || AGAA_HELPER)
         return;
@@ -141,5 +170,8 @@ void agaa_emit(AgaaSurfaceInput s) {
                 agaa_addToWord(base + w, agaa_packed[w] * count);
         for (uint m = 0u; m < AGAA_SPREAD_WORDS; ++m)
             agaa_addToWord(base + AGAA_WORDS + m, agaa_momentCode(m, stored.normal) * count);
+#if AGAA_DEPTH_WORDS
+        agaa_addDepths(base + AGAA_WORDS + AGAA_SPREAD_WORDS, fresh, slope);
+#endif
     }
 }

@@ -4,17 +4,17 @@
 // seed, ties broken by content, averages in integers; hard cases 10, 18, 20 to 24, 29 and 30.
 //
 // Needs AGAA_MAX_SAMPLES; at most 32 samples are clustered. Needs AGAA_CLASSES, whether samples have classes
-// (AGAA_FILTER_CLASS). The includer sets samples by agaa_setSample(). The arrays
-// are globals in GLSL and members of a struct in C++. Results do not depend on the order of the samples, except the
-// indices of samples with equal content. Loops over samples, of which there is at least one, test at their end, because
-// software rasterisers run the code after a test once more.
+// (AGAA_FILTER_CLASS), and AGAA_PLANES, whether planes are clustered in place of samples. The includer sets samples by
+// agaa_setSample(). The arrays are globals in GLSL and members of a struct in C++. Results do not depend on the order
+// of the samples, except the indices of samples with equal content. Loops over samples, of which there is at least one,
+// test at their end, because software rasterisers run the code after a test once more.
 #ifndef AGAA_MATH_CLUSTERING_GLSL
 #define AGAA_MATH_CLUSTERING_GLSL
 #ifndef AGAA_MAX_SAMPLES
 #error "clustering.glsl needs AGAA_MAX_SAMPLES."
 #endif
-#ifndef AGAA_CLASSES
-#error "clustering.glsl needs AGAA_CLASSES."
+#if !defined(AGAA_CLASSES) || !defined(AGAA_PLANES)
+#error "clustering.glsl needs AGAA_CLASSES and AGAA_PLANES."
 #endif
 #include "real.glsl"
 
@@ -347,8 +347,8 @@ agaa_SampleMean agaa_meanOfSteps(uvec3 positions, uvec3 normals, uint count, rea
     return mean;
 }
 
-// Returns seed 0, the sample farthest from the average.
-uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real inverseK2) {
+// lowest   Lower corner of the bounding box.
+agaa_SampleMean agaa_meanOfSamples(uint n, uint covered, rvec3 lowest, real extent) {
     uint count = 0u;
     uvec3 positions = uvec3(0u, 0u, 0u);
     uvec3 normals = uvec3(0u, 0u, 0u);
@@ -360,9 +360,13 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
             count += 1u;
         }
     } while (++i < n);
-    const agaa_SampleMean mean = agaa_meanOfSteps(positions, normals, count, extent);
+    return agaa_meanOfSteps(positions, normals, count, extent);
+}
+
+// Returns seed 0, the sample farthest from the average.
+uint agaa_firstSeed(uint n, uint covered, agaa_SampleMean mean, rvec3 lowest, real inverseK2) {
     agaa_Farthest best = agaa_noneYet();
-    i = 0u;
+    uint i = 0u;
     do {
         if (agaa_sampleIsCovered(covered & ~agaa_joiningSamples, i)) {
             agaa_compare(best, i,
@@ -378,6 +382,79 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
 // are not computed.
 bool agaa_mayExceed(real cornerDistance, uint threshold) {
     return agaa_quantiseDistance(cornerDistance * real(1.00001)) > threshold;
+}
+
+// Planes that are clustered in place of the samples on them (AGAA section 4.1, which reads them from the compressed
+// depth buffer: a plane for each primitive).
+#define AGAA_MAX_PLANES 4u
+uint agaa_planeSamples[AGAA_MAX_PLANES];
+
+// Returns whether sample i is on the plane of sample p, within the steps of both depths, and has its class.
+bool agaa_isOnPlaneOf(uint p, uint i) {
+    const rvec3 normal = agaa_sampleNormal[p];
+    const bool isOneClass = !AGAA_CLASSES || agaa_classOfKey(agaa_sampleKeyB[p]) == agaa_classOfKey(agaa_sampleKeyB[i]);
+    return isOneClass && normal == agaa_sampleNormal[i] &&
+           abs(dot(normal, agaa_samplePosition[i] - agaa_samplePosition[p])) <=
+               agaa_sampleStep[p] + agaa_sampleStep[i];
+}
+
+// Finds the planes of samples and puts a sample of each, the first by content, at the index of its plane. Returns the
+// number of planes, or 0 and moves nothing if there are more than `limit`.
+uint agaa_gatherPlanes(uint n, uint covered, uint limit) {
+    uint first[AGAA_MAX_PLANES];
+    uint planes = 0u;
+    uint left = covered;
+    do {
+        const uint p = uint(findLSB(left));
+        agaa_Farthest best = agaa_noneYet();
+        uint onPlane = 0u;
+        for (uint i = p; i < n; ++i) {
+            if (agaa_sampleIsCovered(left, i) && agaa_isOnPlaneOf(p, i)) {
+                onPlane = onPlane | (1u << i);
+                agaa_compare(best, i, 0u);
+            }
+        }
+        agaa_planeSamples[planes] = onPlane;
+        first[planes] = best.content.sample_;
+        left = left & ~onPlane;
+        planes += 1u;
+    } while (left != 0u && planes < min(limit, AGAA_MAX_PLANES));
+    if (left != 0u) {
+        planes = 0u;
+    }
+    // Planes are in the order of their lowest samples. So the sample at index p is on plane p or an earlier one, whose
+    // first sample has been copied.
+    for (uint p = 0u; p < planes; ++p) {
+        const uint from = first[p];
+        agaa_samplePosition[p] = agaa_samplePosition[from];
+        agaa_sampleNormal[p] = agaa_sampleNormal[from];
+        agaa_sampleKeyA[p] = agaa_sampleKeyA[from];
+        uint keyB = agaa_sampleKeyB[from];
+        if (AGAA_CLASSES) {
+            keyB = (keyB & 0xFF00FFFFu) | uint(bitCount(agaa_planeSamples[p])) << 16u;
+        }
+        agaa_sampleKeyB[p] = keyB;
+        agaa_sampleStep[p] = agaa_sampleStep[from];
+    }
+    return planes;
+}
+
+// Gives the samples of planes the aggregates of their planes.
+void agaa_scatterPlanes(uint n, uint planes) {
+    uint aggregates[AGAA_MAX_PLANES];
+    uint joining = 0u;
+    for (uint p = 0u; p < planes; ++p) {
+        aggregates[p] = agaa_sampleAggregate[p];
+        joining = joining | (agaa_sampleIsCovered(agaa_joiningSamples, p) ? agaa_planeSamples[p] : 0u);
+    }
+    agaa_joiningSamples = joining;
+    for (uint i = 0u; i < n; ++i) {
+        uint id = 0u;
+        for (uint p = 0u; p < planes; ++p) {
+            id = agaa_sampleIsCovered(agaa_planeSamples[p], i) ? aggregates[p] : id;
+        }
+        agaa_sampleAggregate[i] = id;
+    }
 }
 
 // Partitions the covered samples into aggregates and returns their number. Writes ids in the order of the seeds to
@@ -419,7 +496,7 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
     uint aggregates = any ? 1u : 0u;
     agaa_joiningSamples = 0u;
     const bool isOneClass = agaa_areAllOneClass(samples, present);
-    if (!isOneClass) {
+    if (!isOneClass && limit == 1u) {
         agaa_joiningSamples = agaa_findJoining(samples, present, limit);
     }
     if (any && limit > 1u) {
@@ -430,21 +507,30 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
         if (!isOneClass || agaa_mayExceed(bound, threshold)) {
             const rvec3 size = highest - lowest;
             const real extent = max(size.x, max(size.y, size.z));
+            const agaa_SampleMean mean = agaa_meanOfSamples(samples, present, lowest, extent);
+            const uint planes = AGAA_PLANES ? agaa_gatherPlanes(samples, present, limit) : 0u;
+            const uint count = planes != 0u ? planes : samples;
+            const uint members = planes != 0u ? (1u << planes) - 1u : present;
+            if (!isOneClass) {
+                agaa_joiningSamples = agaa_findJoining(count, members, limit);
+            }
             // All distances to the average use one length, that of the coarsest step.
-            uint seed = agaa_firstSeed(samples, present, lowest, extent,
-                                       agaa_pairInverseK2(lengths, coarsest, coarsest));
-            uint candidate = agaa_addSeed(samples, present, 0u, seed, lengths);
+            uint seed = agaa_firstSeed(count, members, mean, lowest, agaa_pairInverseK2(lengths, coarsest, coarsest));
+            uint candidate = agaa_addSeed(count, members, 0u, seed, lengths);
             bool more = true;
             for (uint id = 1u; id < limit && more; ++id) {
                 seed = candidate;
                 if (literalSeeds != 0u && id > 1u) {
-                    seed = agaa_literalCandidate(samples, present, id, lengths);
+                    seed = agaa_literalCandidate(count, members, id, lengths);
                 }
                 more = agaa_sampleNearest[seed] > threshold;
                 if (more) {
-                    candidate = agaa_addSeed(samples, present, id, seed, lengths);
+                    candidate = agaa_addSeed(count, members, id, seed, lengths);
                     aggregates = id + 1u;
                 }
+            }
+            if (planes != 0u) {
+                agaa_scatterPlanes(samples, planes);
             }
         }
     }

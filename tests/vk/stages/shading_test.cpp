@@ -228,7 +228,8 @@ TEST(Shading, AgreesForBothLobesLayoutsAndFilters) {
     expectOracle({.ndf = AGAA_NDF_NONE}, scene(33));
     for (uint64_t flag :
          {AGAA_MEASURE_NO_DIFFUSE_FILTER, AGAA_MEASURE_NO_SHADOW_FILTER, AGAA_MEASURE_SHADOW_ALONG_DEPTH,
-          AGAA_MEASURE_SHADOW_COVARIANCE, AGAA_MEASURE_LIGHT_DIRECTIONS})
+          AGAA_MEASURE_SHADOW_COVARIANCE, AGAA_MEASURE_LIGHT_DIRECTIONS, AGAA_MEASURE_STORED_DEPTH,
+          AGAA_MEASURE_STORED_DEPTH | AGAA_MEASURE_NO_SHADOW_FILTER})
         expectOracle({.flags = flag}, scene(33));
     expectOracle({.diffuseFilter = AGAA_DIFFUSE_MISES_FISHER}, scene(33));
     for (uint32_t taps : {1u, 3u, 32u})
@@ -250,14 +251,15 @@ TEST(Shading, AgreesForOffCentreProjections) {
     for (const glm::mat4& projection : {jittered, orthographic})
         for (const char* technique : {"ssaa", "agaa"})
             expectOracle({.technique = technique, .projection = projection}, scene(35));
-    expectOracle({.flags = AGAA_MEASURE_SHADOW_ALONG_DEPTH, .projection = orthographic}, scene(35));
+    for (const uint64_t flags : {AGAA_MEASURE_SHADOW_ALONG_DEPTH, AGAA_MEASURE_STORED_DEPTH})
+        expectOracle({.flags = flags, .projection = orthographic}, scene(35));
 }
 
 TEST(Shading, AgreesForATurnedView) {
     const float c = std::cos(0.7f), s = std::sin(0.7f);
     const glm::mat4 turn(glm::mat3(c, s * 0.6f, s * 0.8f, 0, 0.8f, -0.6f, -s, c * 0.6f, c * 0.8f));
-    for (uint64_t flags :
-         {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH, AGAA_MEASURE_SHADOW_COVARIANCE | AGAA_MEASURE_LIGHT_DIRECTIONS})
+    for (uint64_t flags : {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH, AGAA_MEASURE_STORED_DEPTH,
+                           AGAA_MEASURE_SHADOW_COVARIANCE | AGAA_MEASURE_LIGHT_DIRECTIONS})
         expectOracle({.flags = flags, .view = turn}, scene(34));
 }
 

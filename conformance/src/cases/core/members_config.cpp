@@ -363,7 +363,8 @@ void addMeasurement(Suite& suite) {
                      [](ViewParts& p, uint64_t flags) { p.measurement.flags = flags; },
                      AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
                          AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING |
-                         AGAA_MEASURE_LIGHT_DIRECTIONS | AGAA_MEASURE_SHADOW_COVARIANCE,
+                         AGAA_MEASURE_LIGHT_DIRECTIONS | AGAA_MEASURE_SHADOW_COVARIANCE | AGAA_MEASURE_STORED_DEPTH |
+                         AGAA_MEASURE_DEPTH_PLANES,
                      nullptr});
     addMember(suite, {"AgaaMeasurement.diffuseFilter/enum",
                       "AgaaMeasurement::diffuseFilter",
@@ -380,7 +381,8 @@ void addMeasurement(Suite& suite) {
                       nullptr,
                       {1}});
     suite.core("AGAA_MEASURE_SHADOW_COVARIANCE/AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) {
-        for (const uint64_t other : {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH, AGAA_MEASURE_NO_SHADOW_FILTER}) {
+        for (const uint64_t other :
+             {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH, AGAA_MEASURE_STORED_DEPTH, AGAA_MEASURE_NO_SHADOW_FILTER}) {
             ViewParts parts(test.sdk, nullptr);
             parts.measurement.flags = AGAA_MEASURE_SHADOW_COVARIANCE | other;
             if (other)
@@ -388,6 +390,26 @@ void addMeasurement(Suite& suite) {
                                   "SHADOW_COVARIANCE");
             else
                 expectAccepted(test, parts, "AGAA_MEASURE_SHADOW_COVARIANCE");
+        }
+    });
+    suite.core("AGAA_MEASURE_STORED_DEPTH/AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+        parts.measurement.flags = AGAA_MEASURE_STORED_DEPTH | AGAA_MEASURE_SHADOW_COVARIANCE;
+        expectViewRefused(test, parts, AGAA_ERROR_INVALID_ARGUMENT, "two places of shadow taps", "SHADOW_COVARIANCE");
+    });
+    suite.core("AGAA_MEASURE_STORED_DEPTH/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
+        for (const auto& [technique, tier] :
+             {std::pair{"agaa", AGAA_TIER_POST_DEPTH_ATOMICS}, std::pair{"agaa", AGAA_TIER_PER_SAMPLE},
+              std::pair{"agaa", AGAA_TIER_GBUFFER}, std::pair{"sbaa", AGAA_TIER_POST_DEPTH_ATOMICS}}) {
+            ViewParts parts(test.sdk, nullptr);
+            parts.config.technique = technique;
+            parts.config.generationTier = tier;
+            parts.measurement.flags = AGAA_MEASURE_STORED_DEPTH;
+            if (std::string_view(technique) == "agaa" && tier != AGAA_TIER_GBUFFER)
+                expectAccepted(test, parts, "AGAA_MEASURE_STORED_DEPTH");
+            else
+                expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "AGAA_MEASURE_STORED_DEPTH", "STORED_DEPTH");
         }
     });
     suite.core("AGAA_DIFFUSE_SGGX/AGAA_ERROR_UNSUPPORTED", [](Test& test) {

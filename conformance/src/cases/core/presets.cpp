@@ -109,7 +109,7 @@ Settings patternSettings() {
 constexpr uint64_t configFlags = AGAA_CONFIG_SPLIT_SURFACES | AGAA_CONFIG_FINE_MATERIALS;
 constexpr uint64_t measurementFlags = AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER |
                                       AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_MEASURE_FIRST_SAMPLE_ROUTING |
-                                      AGAA_MEASURE_SHADOW_COVARIANCE;
+                                      AGAA_MEASURE_SHADOW_COVARIANCE | AGAA_MEASURE_STORED_DEPTH;
 
 // Copies the members that a preset sets from `from`. All other members must then be equal.
 void copyPresetMembers(Settings& s, const Settings& from) {

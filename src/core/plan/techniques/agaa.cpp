@@ -91,7 +91,8 @@ void build(PlanBuilder& b) {
     sums.layout = hasSampleNormals ? twoPassLayout(b.view().layout, b.view().facts.flags) : b.view().layout;
     sums.packing = packAggregate(sums.layout, b.view().samples);
     sums.spreadWords = b.view().keepsNormalMoments() ? AGAA_MOMENT_WORDS : 0;
-    sums.stride = sums.packing.words + sums.spreadWords;
+    sums.depthWords = b.view().storesDepth() ? AGAA_DEPTH_MOMENT_WORDS : 0;
+    sums.stride = sums.packing.words + sums.spreadWords + sums.depthWords;
     sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
     byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
 }

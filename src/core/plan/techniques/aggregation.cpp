@@ -79,6 +79,7 @@ void setRecord(Pass& pass, const Aggregation& a) {
     pass.constants[AGAA_CLASS_WORD] = a.packing.classWord;
     pass.constants[AGAA_STRIDE] = a.stride;
     pass.constants[AGAA_SPREAD_WORDS] = a.spreadWords;
+    pass.constants[AGAA_DEPTH_WORDS] = a.depthWords;
     pass.constants[AGAA_FIELD_COVERAGE] = a.packing.coverage.constant();
     pass.constants[AGAA_FOLDED_ROUGHNESS] = a.layout.foldsRoughness();
     pass.constants[AGAA_YCBCR_SPECULAR] = a.layout.specularIsYCbCr();

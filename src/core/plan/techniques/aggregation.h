@@ -27,6 +27,7 @@ struct Aggregation {
     AggregatePacking packing;
     uint32_t stride = 0;      // words from one aggregate to the next
     uint32_t spreadWords = 0; // for the spread of normals of elliptic lobes
+    uint32_t depthWords = 0;  // for the moments of depth
     // The attributes of one sample represent the aggregate, in place of sums.
     bool represented = false;
     // Adds the pass that assigns samples to aggregates. bindSamples binds its inputs. Returns the image that generation

@@ -206,9 +206,12 @@ const GenerationTier idsTier = {.tier = AGAA_TIER_IDS,
                                 .countsPrimitives = true,
                                 .answer = answerIds};
 const GenerationTier postDepthTier = {
-    .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .isAutomatic = true, .answer = answerPostDepth};
-const GenerationTier perSampleTier = {
-    .tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true, .answer = answerPerSample};
+    .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .isAutomatic = true, .sumsFragments = true, .answer = answerPostDepth};
+const GenerationTier perSampleTier = {.tier = AGAA_TIER_PER_SAMPLE,
+                                      .relativeCost = perSampleCost,
+                                      .isAutomatic = true,
+                                      .sumsFragments = true,
+                                      .answer = answerPerSample};
 const GenerationTier gbufferTier = {.tier = AGAA_TIER_GBUFFER,
                                     .relativeCost = gbufferCost,
                                     .isAutomatic = true,
