@@ -165,6 +165,43 @@ TYPED_TEST_P(AdaptiveCases, TheBackgroundCountsIfItIsAsked) {
     }
 }
 
+// A lamp near a plane lights the samples of a pixel differently. A light that is far away does not, and changes
+// nothing.
+TYPED_TEST_P(AdaptiveCases, SamplesDifferByLightIfItIsAsked) {
+    const std::vector<Triangle> wall = rectangle(0, 0, 48, 32, 8, facing({0.5f, 0.5f, 0.5f}));
+    AgaaLight lamp = AGAA_LIGHT_INIT;
+    lamp.type = AGAA_LIGHT_POINT;
+    lamp.position[0] = 20.5f;
+    lamp.position[1] = 11.5f;
+    lamp.position[2] = -7.5f; // half a pixel in front of the wall
+    lamp.color[0] = lamp.color[1] = lamp.color[2] = 4;
+    lamp.range = 8;
+    AgaaLight sun = AGAA_LIGHT_INIT;
+    sun.type = AGAA_LIGHT_DIRECTIONAL;
+    sun.direction[2] = -1;
+    for (const AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
+        for (const bool isNear : {true, false})
+            for (const uint32_t maxLights : {1u, 16u}) { // with 16, lights are culled
+                const auto shown = [&](uint64_t flags) {
+                    ViewSettings settings = adaptiveSettings(9, AGAA_ADAPTIVE_GEOMETRY | flags);
+                    settings.config.generationTier = tier;
+                    settings.facts.maxLights = maxLights;
+                    settings.projection = pixelOrthographic(48, 32, 10);
+                    return this->render(settings, {.triangles = wall, .lights = {isNear ? lamp : sun}});
+                };
+                const Shown without = shown(0), with = shown(AGAA_ADAPTIVE_LIGHTS);
+                EXPECT_EQ(without.counters.shadingEvents, without.counters.shadedPixels);
+                EXPECT_EQ(with.counters.shadedPixels, without.counters.shadedPixels);
+                if (isNear) {
+                    EXPECT_GT(with.counters.shadingEvents, without.counters.shadingEvents + 8);
+                    EXPECT_LT(with.counters.shadingEvents, 2 * without.counters.shadingEvents);
+                } else {
+                    EXPECT_EQ(with.rgb, without.rgb);
+                    EXPECT_EQ(with.counters.shadingEvents, without.counters.shadingEvents);
+                }
+            }
+}
+
 // Hard case 43: one pixel brighter than all that is displayed raises the numbers of at most five. Columns of a third of
 // a pixel differ by less than the threshold, so that there is something for the lights to show differently.
 TYPED_TEST_P(AdaptiveCases, HardCase43ABrightPixelStaysAlone) {
@@ -368,7 +405,8 @@ TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
 REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem,
                             ByIdsItIsTheSame, WaysToShadeGiveOneImage, HardCase15OnePlaneIsShadedOnce,
                             HardCase43ABrightPixelStaysAlone, TheBackgroundCountsIfItIsAsked,
-                            HardCase62ColorsOfEqualLumaDiffer, TargetsAreKeptAndUsed, ThePapersMethodIsAMeanOfSamples,
-                            ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions, RememberedNumbersDecay);
+                            SamplesDifferByLightIfItIsAsked, HardCase62ColorsOfEqualLumaDiffer, TargetsAreKeptAndUsed,
+                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions,
+                            RememberedNumbersDecay);
 
 } // namespace agaa::test

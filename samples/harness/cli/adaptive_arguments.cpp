@@ -20,6 +20,7 @@ void AdaptiveArguments::addTo(CLI::App& app) {
                  "adaptive by id: textures are filtered over the area of one sample");
     app.add_flag("--count-background", countBackground,
                  "adaptive: the printed metric counts samples of the background");
+    app.add_flag("--compare-light", compareLight, "adaptive: samples whose light differs are shaded, too");
     app.add_option("--target-events", values.targetEvents,
                    "adaptive: mean number of samples per pixel that frames keep; 0: none");
     app.add_option("--count-memory", values.countMemory, "adaptive: share of mean numbers kept from frame to frame");
@@ -57,6 +58,7 @@ void AdaptiveArguments::apply(TechniqueConfig& config) const {
     set(tileMaximum, AGAA_ADAPTIVE_TILE_MAXIMUM);
     set(sampleFootprints, AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS);
     set(countBackground, AGAA_ADAPTIVE_BACKGROUND);
+    set(compareLight, AGAA_ADAPTIVE_LIGHTS);
 }
 
 } // namespace harness

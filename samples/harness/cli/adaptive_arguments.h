@@ -21,6 +21,7 @@ struct AdaptiveArguments {
     bool tileMaximum = false;
     bool sampleFootprints = false;
     bool countBackground = false;
+    bool compareLight = false;
     AgaaAdaptiveSampling values = AGAA_ADAPTIVE_SAMPLING_INIT; // members that options set directly
 
     void addTo(CLI::App& app);

@@ -65,6 +65,8 @@ public:
     void cullLights(const std::function<void(Pass&)>& bindDepth);
     // Lets shading passes that are added later, and define AGAA_FINDS_LIGHTS, cull the lights of each tile.
     void cullLightsWhereShaded();
+    // Binds lights and the masks of those that reach each tile.
+    void bindLights(Pass& pass);
     // Binds lights, shadow maps and the host's shadow function to a pass that shades.
     void bindLighting(Pass& pass);
     // Compiles the pass with the host's function that reads samples of the host's G-buffer.

@@ -36,15 +36,20 @@ void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
     bindDepth(cull);
 }
 
+void PlanBuilder::bindLights(Pass& pass) {
+    const bool host = pass.kind() == PassKind::HostDraw;
+    bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer, lights_);
+    // Shaders declare the masks even if there are none, unless they cull lights themselves.
+    if (!host && (lightMasks_ != noResource || !cullsLights_))
+        bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
+}
+
 void PlanBuilder::bindLighting(Pass& pass) {
     const bool host = pass.kind() == PassKind::HostDraw;
     require(
         !host || plan.view.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
         "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
-    bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer, lights_);
-    // Shaders declare the masks even if there are none, unless they cull lights themselves.
-    if (!host && (lightMasks_ != noResource || !cullsLights_))
-        bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
+    bindLights(pass);
     bindShadows(pass);
     if (!host && plan.view.shadingFunction) {
         addHostCode(pass, *plan.view.shadingFunction, "AgaaShadingFunction");

@@ -21,6 +21,7 @@ struct agaa_Features {
     vec4 diffuseAlpha; // diffuse colour; w: the lobe's alpha
     vec3 specular;     // reflectance
     vec3 emission;     // as displayed: colours of equal luma differ
+    float light;       // luma as displayed, without shadows, with AGAA_ADAPTIVE_LIGHTS
 };
 
 // Returns sample j of the pattern's order, which begins in the middle. A constant holds four samples.
@@ -31,19 +32,31 @@ uint agaa_sampleInOrder(uint j) {
 }
 
 agaa_Features agaa_featuresAt(uvec2 pixel, uint i, float depth, vec3 normal, vec4 diffuseAlpha, vec3 specular,
-                              vec3 emission) {
+                              vec3 emission, float light) {
     vec3 position = agaa_sampleViewPosition(pixel, i, depth);
     float width = agaa_frame.surfaceDistance * agaa_pixelWidth(position.z) +
                   2.0 * agaa_depthQuantum(position.z, depth, agaa_frame.projection22, agaa_frame.projection32,
                                           agaa_isOrthographic(), agaa_storedQuantum(depth));
-    return agaa_Features(agaa_toShadingSpace(position), normal, width, diffuseAlpha, specular, emission);
+    return agaa_Features(agaa_toShadingSpace(position), normal, width, diffuseAlpha, specular, emission,
+                         light);
+}
+
+// Returns the light of a sample, which a pass before this one has estimated.
+float agaa_estimatedLight(uvec2 pixel, uint i) {
+#ifdef AGAA_ESTIMATES_LIGHT
+    return 0.0;
+#else
+    if (!agaa_isAdaptive(AGAA_ADAPTIVE_LIGHTS))
+        return 0.0;
+    return float(agaa_choices.words[agaa_lightAt(pixel, i >> 2u)] >> (8u * (i & 3u)) & 0xFFu) / 255.0;
+#endif
 }
 
 // Returns the features of the sample fetched last.
 agaa_Features agaa_fetchedFeatures(uvec2 pixel, uint i, float depth) {
     agaa_Surface s = agaa_sampleSurface();
     return agaa_featuresAt(pixel, i, depth, s.normal, vec4(s.diffuse, sqrt(s.alpha2)), s.specular,
-                           agaa_displayed(s.emissive));
+                           agaa_displayed(s.emissive), agaa_estimatedLight(pixel, i));
 }
 
 // The features of the pixel's samples: depth, the code of the normal, diffuse colour and alpha, reflectance; and
@@ -76,28 +89,31 @@ uint agaa_keptEmission(uint i) { return agaa_sampleEmission[i]; }
 #endif
 
 // Packs the features of the sample fetched last.
-void agaa_packFeatures(uint i, float depth) {
+void agaa_packFeatures(uvec2 pixel, uint i, float depth) {
     agaa_Surface s = agaa_sampleSurface();
     agaa_keepFeatureWords(i,
                           uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()),
-                                packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))), packUnorm4x8(vec4(s.specular, 0.0))),
+                                packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
+                                packUnorm4x8(vec4(s.specular, agaa_estimatedLight(pixel, i)))),
                           packUnorm4x8(vec4(agaa_displayed(s.emissive), 0.0)));
 }
 
 agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i) {
     uvec4 words = agaa_keptFeatures(i);
     vec3 emission = agaa_hasFact(AGAA_FACT_EMISSIVE) ? unpackUnorm4x8(agaa_keptEmission(i)).xyz : vec3(0.0);
+    vec4 specularLight = unpackUnorm4x8(words.w);
     return agaa_featuresAt(pixel, i, uintBitsToFloat(words.x),
                            agaa_decodeOct(unpackUnorm2x16(words.y), agaa_fieldBits(AGAA_SOURCE_NORMAL_X)),
-                           unpackUnorm4x8(words.z), unpackUnorm4x8(words.w).xyz, emission);
+                           unpackUnorm4x8(words.z), specularLight.xyz, emission, specularLight.w);
 }
 
-// Returns the difference of two samples in thresholds: the largest of those of normals, planes and materials. The
-// weight of normals rises with gloss.
+// Returns the difference of two samples in thresholds: the largest of those of normals, planes, materials and light.
+// The weight of normals rises with gloss.
 float agaa_differenceOf(agaa_Features a, agaa_Features b) {
     float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuseAlpha.w, b.diffuseAlpha.w), 0.01),
                         1.0, 20.0);
     vec4 material = abs(a.diffuseAlpha - b.diffuseAlpha);
+    material.w = max(material.w, abs(a.light - b.light));
     material.xyz = max(material.xyz, max(abs(a.specular - b.specular), abs(a.emission - b.emission)));
     return max(max(agaa_normalStep(a.normal, b.normal, agaa_frame.surfaceCosine) * gloss,
                    agaa_planeStep(b.position - a.position, a.normal, b.normal, max(a.width, b.width))),
@@ -137,9 +153,10 @@ agaa_Features agaa_featuresOfSample(agaa_Features own, uint i) {
     f.diffuseAlpha.xyz = agaa_ofSample(own.diffuseAlpha.xyz, i);
     f.specular = agaa_ofSample(own.specular, i);
     f.emission = agaa_hasFact(AGAA_FACT_EMISSIVE) ? agaa_ofSample(own.emission, i) : own.emission;
-    vec3 others = agaa_ofSample(vec3(own.width, own.diffuseAlpha.w, 0.0), i);
+    vec3 others = agaa_ofSample(vec3(own.width, own.diffuseAlpha.w, own.light), i);
     f.width = others.x;
     f.diffuseAlpha.w = others.y;
+    f.light = others.z;
     return f;
 }
 
@@ -162,18 +179,18 @@ agaa_Features agaa_loadFeatures(uvec2 pixel, uint covered, bool isCovered) {
     agaa_fetched = m;
     agaa_fetched.normal = agaa_materialNormal(m, i);
     if (isCovered)
-        agaa_packFeatures(i, agaa_depthOf(pixel, i));
+        agaa_packFeatures(pixel, i, agaa_depthOf(pixel, i));
     return agaa_unpackFeatures(pixel, i);
 }
 #else
 agaa_Features agaa_loadFeatures(uvec2 pixel, uint covered, bool isCovered) {
     const uint i = min(agaa_laneSample(), AGAA_SAMPLES - 1u);
-    agaa_Features own = agaa_Features(vec3(0.0), vec3(0.0), 0.0, vec4(0.0), vec3(0.0), vec3(0.0));
+    agaa_Features own = agaa_Features(vec3(0.0), vec3(0.0), 0.0, vec4(0.0), vec3(0.0), vec3(0.0), 0.0);
     if (isCovered) {
         agaa_fetchSample(pixel, i);
         float depth = agaa_depthOf(pixel, i);
         own = agaa_fetchedFeatures(pixel, i, depth);
-        agaa_packFeatures(i, depth);
+        agaa_packFeatures(pixel, i, depth);
     }
     return own;
 }
@@ -222,7 +239,7 @@ uint agaa_loadFetched(uvec2 pixel) {
         for (; own != 0u; own &= own - 1u) {
             uint j = uint(findLSB(own));
             agaa_fetched.normal = agaa_materialNormal(m, j);
-            agaa_packFeatures(j, agaa_depthOf(pixel, j));
+            agaa_packFeatures(pixel, j, agaa_depthOf(pixel, j));
         }
     }
     return covered;
@@ -249,6 +266,6 @@ bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
 }
 
 // Keeps the features of the sample that was read last.
-void agaa_keepFeatures(uvec2 pixel, uint i) { agaa_packFeatures(i, agaa_depthOf(pixel, i)); }
+void agaa_keepFeatures(uvec2 pixel, uint i) { agaa_packFeatures(pixel, i, agaa_depthOf(pixel, i)); }
 #endif
 #endif

@@ -5,6 +5,7 @@
 #if !defined(AGAA_FRAME_GLSL) || !defined(AGAA_BINDING_CHOICES)
 #error "stored_choice.glsl needs frame.glsl and AGAA_BINDING_CHOICES."
 #endif
+#include "adaptive/adaptive_flags.glsl"
 #include "math/adaptive.glsl"
 #include "tables/choice_words.inc"
 
@@ -23,6 +24,11 @@ uint agaa_rankAt(uint index) {
     return agaa_listAt(agaa_pixelCount()) + (AGAA_COUNT_MEMORY != 0u ? agaa_pixelCount() : 0u) + index;
 }
 uint agaa_sortedAt(uint index) { return agaa_rankAt(agaa_pixelCount()) + index; }
+// word: of the pixel; each has the light of four samples.
+uint agaa_lightAt(uvec2 pixel, uint word) {
+    uint begin = agaa_isAdaptive(AGAA_ADAPTIVE_SORTED) ? agaa_sortedAt(agaa_pixelCount()) : agaa_rankAt(0u);
+    return begin + agaa_pixelIndex(pixel) * ((AGAA_SAMPLES + 3u) / 4u) + word;
+}
 
 // Returns whether a sample is shaded. difference: in thresholds, from all samples that are shaded.
 bool agaa_callsForSample(float difference) {

@@ -285,7 +285,8 @@ void addAdaptiveSampling(Suite& suite) {
                          AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC |
                              AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP |
                              AGAA_ADAPTIVE_DEVICE_PATTERN | AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED |
-                             AGAA_ADAPTIVE_TILE_MAXIMUM | AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS | AGAA_ADAPTIVE_BACKGROUND,
+                             AGAA_ADAPTIVE_TILE_MAXIMUM | AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS | AGAA_ADAPTIVE_BACKGROUND |
+                             AGAA_ADAPTIVE_LIGHTS,
                          use.prepare});
     }
 }

@@ -28,7 +28,7 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
                AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER |
                    AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP | AGAA_ADAPTIVE_DEVICE_PATTERN |
                    AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM |
-                   AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS | AGAA_ADAPTIVE_BACKGROUND,
+                   AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS | AGAA_ADAPTIVE_BACKGROUND | AGAA_ADAPTIVE_LIGHTS,
                "AgaaAdaptiveSampling::flags");
     checkRange(double(a.depthScale), 0.0, 1e12, "AgaaAdaptiveSampling::depthScale");
     checkRange(double(a.normalScale), 0.0, 1e6, "AgaaAdaptiveSampling::normalScale");
@@ -68,7 +68,8 @@ bool hasTarget(const ViewSettings& view) { return view.adaptive.targetEvents > 0
 // Adds the buffer of sums, choices and lists. All passes write to it.
 ResourceId choiceBuffer(PlanBuilder& b) {
     const bool remembers = b.view().adaptive.countMemory > 0;
-    const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b.view(), AGAA_ADAPTIVE_SORTED) ? 2 : 0);
+    const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b.view(), AGAA_ADAPTIVE_SORTED) ? 2 : 0) +
+                           (has(b.view(), AGAA_ADAPTIVE_LIGHTS) ? (b.view().samples + 3) / 4 : 0);
     const ResourceId choices = b.pixelBuffer("sample-choices", 4 * words);
     Resource& buffer = b.plan.resources[choices];
     buffer.bytes = checkedAdd(buffer.bytes, 4 * AGAA_SUM_WORDS);
@@ -149,6 +150,12 @@ void setLanes(const PlanBuilder& b, Pass& pass) {
                                      hasSampleLanes(b.view().lanes), pass.compute().fullSubgroups);
 }
 
+void addLightEstimate(PlanBuilder& b, const Adaptive& a) {
+    Pass& lights = addChoice(b, "estimate light", "light_samples", a);
+    b.bind(lights, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
+    b.bindLights(lights);
+}
+
 // Adds passes that find the limit of differences at which the target is met.
 void addLimit(PlanBuilder& b, const Adaptive& a) {
     Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
@@ -211,9 +218,11 @@ void build(PlanBuilder& b) {
     a.choices = choiceBuffer(b);
     b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fill().bytes = 4 * AGAA_SUM_WORDS;
     const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = countingPass(b.view());
+    b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
+    if (has(b.view(), AGAA_ADAPTIVE_LIGHTS))
+        addLightEstimate(b, a);
     if (hasTarget(b.view()))
         addLimit(b, a);
-    b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
     Pass& first = addShading(b, "shade first samples", "shade_first", a);
     b.bindOutput(first, a.firstSamples);
     if (a.ids) // from a G-buffer it keeps no values of samples
