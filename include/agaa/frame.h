@@ -13,7 +13,8 @@ extern "C" {
 
 typedef enum AgaaDrawPassId {
     AGAA_DRAW_PASS_VISIBILITY = 1, /* depth alone, or with geometric normals or, with the tier IDS, ids */
-    AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, added to aggregates or kept as surfaces; no colour output */
+    AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, added to aggregates or kept as surfaces; no colour output, except
+                                      with the tier NV_MIXED_SAMPLES, which adds to colour attachments */
     AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
     AGAA_DRAW_PASS_FORWARD = 4,    /* materials, shaded in the fragment shader, into a multisampled colour target */
     AGAA_DRAW_PASS_FRAGMENTS = 5,  /* coverage and ids of all fragments, appended to lists; neither depth nor colour.
@@ -43,8 +44,8 @@ typedef enum AgaaCompare {
 /* Fixed-function state that the host's pipelines must have in a draw pass. The depth test is on, the viewport's
  * depth range is [0, 1], and the viewport and the scissor are the whole target. The host chooses the cull mode,
  * which must be the same in all draw passes of a frame. All other state that changes fragments must be off: blending
- * except keepFirst, dithering, logic operations, alpha-to-coverage, sample masks, depth bias, depth clamping and
- * sRGB conversion. */
+ * except keepFirst and additive, dithering, logic operations, alpha-to-coverage, sample masks, depth bias, depth
+ * clamping and sRGB conversion. */
 typedef struct AgaaDrawState {
     uint32_t depthCompare;      /* AgaaCompare */
     uint32_t depthWrite;        /* 1: write depth */
@@ -66,7 +67,15 @@ typedef struct AgaaDrawState {
                                   Vulkan the pipeline is for AgaaVkDrawPass::renderPass, and its colour blend state
                                   has the flag RASTERIZATION_ORDER_ATTACHMENT_ACCESS
                                   (VK_EXT_rasterization_order_attachment_access) */
-    uint32_t reserved[4];      /* 0 */
+    uint32_t additive;         /* 1: blend colour and alpha of all attachments with the factors ONE and ONE and the
+                                  operation ADD */
+    uint32_t colorSamples;     /* samples per texel of the colour attachments if they have fewer than `samples`, which
+                                  depth and rasterisation have then; 0: both have `samples`. Sample shading, and on
+                                  OpenGL GL_RASTER_MULTISAMPLE_EXT, must be off, and colours must not be modulated by
+                                  coverage. On Vulkan the pipeline has VkPipelineCoverageReductionStateCreateInfoNV
+                                  with TRUNCATE and, without a render pass, VkAttachmentSampleCountInfoNV
+                                  (docs/integration/vulkan-pipelines.md) */
+    uint32_t reserved[2];      /* 0 */
 } AgaaDrawState;
 
 /* Describes a draw pass of a view before anything is recorded. Chain an AgaaVkDrawPass or an AgaaGlDrawPass to
@@ -99,7 +108,7 @@ typedef struct AgaaDrawPass {
 #define AGAA_DRAW_PASS_INIT                                                                                            \
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_DRAW_PASS, (uint32_t)sizeof(AgaaDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, 0,                \
-            {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0}}, NULL, NULL, NULL, NULL                                 \
+            {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}}, NULL, NULL, NULL, NULL                                 \
     }
 AGAA_API void AGAA_CALL agaaInitDrawPass(AgaaDrawPass* outPass, size_t structSize);
 

@@ -72,6 +72,9 @@ TEST(Abi, Sizes) {
 }
 
 TEST(Abi, Offsets) {
+    EXPECT_OFFSET(AgaaDrawState, readsAttachments, 44);
+    EXPECT_OFFSET(AgaaDrawState, additive, 48);
+    EXPECT_OFFSET(AgaaDrawState, colorSamples, 52);
     EXPECT_OFFSET(AgaaConfig, technique, 16);
     EXPECT_OFFSET(AgaaConfig, layout, 32);
     EXPECT_OFFSET(AgaaConfig, flags, 72);

@@ -26,12 +26,12 @@ inline void setDrawState(const AgaaDrawState& state, bool blends) {
     setCapability(GL_SAMPLE_SHADING, state.sampleShading != 0);
     glMinSampleShading(1.0f);
     glEnable(GL_MULTISAMPLE);
-    setCapability(GL_BLEND, state.keepFirst != 0 || blends);
+    setCapability(GL_BLEND, state.keepFirst != 0 || state.additive != 0 || blends);
     glBlendEquation(GL_FUNC_ADD);
     if (blends)
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     else
-        glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+        glBlendFunc(state.additive ? GL_ONE : GL_ONE_MINUS_DST_ALPHA, GL_ONE);
     glDisable(GL_DITHER);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);

@@ -34,8 +34,12 @@ void setDrawState(const GladGLContext& gl, const AgaaDrawState& state) {
     gl.DepthMask(state.depthWrite ? GL_TRUE : GL_FALSE);
     const auto writes = [&](uint32_t bit) -> GLboolean { return state.colorWriteMask & bit ? GL_TRUE : GL_FALSE; };
     gl.ColorMask(writes(1), writes(2), writes(4), writes(8));
-    (state.keepFirst ? gl.Enable : gl.Disable)(GL_BLEND);
-    gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    (state.keepFirst || state.additive ? gl.Enable : gl.Disable)(GL_BLEND);
+    gl.BlendFunc(state.additive ? GL_ONE : GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    if (state.colorSamples) {
+        gl.Disable(GL_RASTER_MULTISAMPLE_EXT);
+        gl.CoverageModulationNV(GL_NONE);
+    }
     gl.BlendEquation(GL_FUNC_ADD);
     (state.sampleShading ? gl.Enable : gl.Disable)(GL_SAMPLE_SHADING);
     gl.MinSampleShading(1);

@@ -57,6 +57,17 @@ PipelineState::PipelineState(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked
     multisample.rasterizationSamples = VkSampleCountFlagBits(wanted.samples);
     multisample.sampleShadingEnable = wanted.sampleShading != 0;
     multisample.minSampleShading = 1;
+    if (wanted.colorSamples) { // coverage modulation is off by default
+        reduction.sType = VK_STRUCTURE_TYPE_PIPELINE_COVERAGE_REDUCTION_STATE_CREATE_INFO_NV;
+        reduction.coverageReductionMode = VK_COVERAGE_REDUCTION_MODE_TRUNCATE_NV;
+        multisample.pNext = &reduction;
+        colorSamples.assign(wanted.colorAttachmentCount, VkSampleCountFlagBits(wanted.colorSamples));
+        mixed.sType = VK_STRUCTURE_TYPE_ATTACHMENT_SAMPLE_COUNT_INFO_NV;
+        mixed.colorAttachmentCount = wanted.colorAttachmentCount;
+        mixed.pColorAttachmentSamples = colorSamples.data();
+        mixed.depthStencilAttachmentSamples = multisample.rasterizationSamples;
+        rendering.pNext = &mixed;
+    }
     if (wanted.conservative) {
         conservative.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_CONSERVATIVE_STATE_CREATE_INFO_EXT;
         conservative.conservativeRasterizationMode = VK_CONSERVATIVE_RASTERIZATION_MODE_OVERESTIMATE_EXT;
@@ -84,6 +95,11 @@ PipelineState::PipelineState(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked
         if (wanted.keepFirst) {
             blend.blendEnable = VK_TRUE;
             blend.srcColorBlendFactor = blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
+            blend.dstColorBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+        }
+        if (wanted.additive) {
+            blend.blendEnable = VK_TRUE;
+            blend.srcColorBlendFactor = blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
             blend.dstColorBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
         }
     }

@@ -36,10 +36,13 @@ public:
     VkPipelineRasterizationStateCreateInfo rasterization{};
     VkPipelineRasterizationConservativeStateCreateInfoEXT conservative{};
     VkPipelineMultisampleStateCreateInfo multisample{};
+    VkPipelineCoverageReductionStateCreateInfoNV reduction{};
     VkPipelineDepthStencilStateCreateInfo depthStencil{};
     std::vector<VkPipelineColorBlendAttachmentState> blends;
     VkPipelineColorBlendStateCreateFlags blendFlags = 0;
     VkPipelineRenderingCreateInfo rendering{}; // used with dynamic rendering
+    VkAttachmentSampleCountInfoNV mixed{};     // chained to it if colours have fewer samples than depth
+    std::vector<VkSampleCountFlagBits> colorSamples;
 };
 
 // Sets viewport and scissor to the whole target.

@@ -174,6 +174,8 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
     if (isDraw) {
         w.field("stencilTest", pass.draw().state.stencilTest != 0);
         w.field("readsAttachments", pass.draw().state.readsAttachments != 0);
+        w.field("additive", pass.draw().state.additive != 0);
+        w.field("colorSamples", pass.draw().state.colorSamples);
         w.field("sampleShading", pass.draw().state.sampleShading != 0);
     }
     w.close('}');

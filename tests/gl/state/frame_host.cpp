@@ -323,6 +323,10 @@ void FrameHost::drawTriangle(const AgaaDrawTarget& target) {
         gl_.Enable(GL_BLEND);
         gl_.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
     }
+    if (state.additive != 0) {
+        gl_.Enable(GL_BLEND);
+        gl_.BlendFunc(GL_ONE, GL_ONE);
+    }
     if (state.sampleShading != 0) {
         gl_.Enable(GL_SAMPLE_SHADING);
         gl_.MinSampleShading(1.0f);

@@ -69,10 +69,17 @@ void testStateRanges(Test& test) {
             test.check(!s.colorAttachmentCount || s.colorWriteMask, what + " has attachments and writes none.");
             test.check(s.colorAttachmentCount <= 8, what + " has more than 8 attachments.");
             for (const uint32_t flag : {s.depthWrite, s.stencilTest, s.stencilTestMasked, s.sampleShading, s.keepFirst,
-                                        s.conservative, s.vertexPulling, s.readsAttachments})
+                                        s.conservative, s.vertexPulling, s.readsAttachments, s.additive})
                 test.check(flag <= 1, what + " has a flag that is neither 0 nor 1.");
             test.check(s.samples && !(s.samples & (s.samples - 1)),
                        what + " has a number of samples that is no power of 2.");
+            test.check(!s.additive || (s.colorAttachmentCount && !s.keepFirst),
+                       what + " blends additively without attachments, or with keepFirst.");
+            test.check(s.colorSamples < s.samples && !(s.colorSamples & (s.colorSamples - 1)),
+                       what + " has colorSamples " + std::to_string(s.colorSamples) + " of " +
+                           std::to_string(s.samples) + " samples.");
+            test.check(!s.colorSamples || (s.colorAttachmentCount && !s.sampleShading),
+                       what + " has colorSamples without attachments, or with sample shading.");
         }
     });
 }
