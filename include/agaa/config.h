@@ -144,9 +144,11 @@ typedef enum AgaaTier {
     AGAA_TIER_LAYERS = 4,        /* reserved: AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_ORDERED_GRID = 5,  /* 4, 9 or 16 samples: 2x2, 3x3 or 4x4 texels of one sample each */
     /* generation */
-    AGAA_TIER_NV_MIXED_SAMPLES = 16,   /* the paper's method: additive blending with coverage override. agaaQueryMemory
-                                          and agaaPlanToJson accept it; agaa…CreateView fails with
-                                          AGAA_ERROR_UNSUPPORTED */
+    AGAA_TIER_NV_MIXED_SAMPLES = 16,   /* the paper's method: additive blending into colour attachments with a sample
+                                          for each aggregate. Requires AGAA_DEVICE_NV_MIXED_SAMPLES and the device's
+                                          own n samples. Not yet run on a device, so AUTO does not select it. For "sbaa"
+                                          it is the papers' memory: agaaQueryMemory and agaaPlanToJson accept it,
+                                          agaa…CreateView fails with AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* coverage after the depth test, integer atomics */
     AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
     AGAA_TIER_GBUFFER = 19, /* one geometry pass into a multisampled G-buffer; a compute pass aggregates its samples */

@@ -17,6 +17,7 @@ int main(void) {
     config.layout = &layout;
     config.visibilityTier = AGAA_TIER_NATIVE;
     config.generationTier = AGAA_TIER_NV_MIXED_SAMPLES;
+    facts.maxLights = 1; /* more lights have masks for each tile of pixels */
     view.width = 640;
     view.height = 360;
     view.config = &config;

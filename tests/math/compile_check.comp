@@ -28,6 +28,7 @@ agaa_CoveredSurface agaa_rounded(agaa_CoveredSurface s) { return s; }
 #include "../../src/shaders/math/hdr_weight.glsl"
 #include "../../src/shaders/math/pixel_sums.glsl"
 #include "../../src/shaders/math/encoding.glsl"
+#include "../../src/shaders/math/blended_sums.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/second_moments.glsl"
 #include "../../src/shaders/math/ndf.glsl"
@@ -74,6 +75,9 @@ void main() {
     acc += agaa_yCbCrToRgb(agaa_rgbToYCbCr(v));
     acc.x += agaa_signedMeanOfSum(agaa_signedCode(x.w, 11u), 3u, 11u) +
              agaa_meanOfSum(agaa_quantise(x.x, 11u), 3u, 11u);
+    acc.x += agaa_signedMeanOfBlended(agaa_blendedCode(agaa_blendedValue(x.w, 3u, 8u, 10u, true), 10u), 3u, 8u, 10u) +
+             agaa_meanOfBlended(agaa_blendedCode(agaa_blendedValue(x.x, 3u, 8u, 16u, false), 16u), 3u, 8u, 16u) +
+             agaa_blendedMask(id, 1u);
     agaa_Barycentrics inside = agaa_barycentrics(v, acc, x.yzw, x.xy, x.zw);
     acc += inside.at + inside.dx + inside.dy + inside.facing;
     acc += agaa_emissiveFactor(v, acc);

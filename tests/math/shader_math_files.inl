@@ -21,6 +21,7 @@
 #undef AGAA_MATH_HDR_WEIGHT_GLSL
 #undef AGAA_MATH_PIXEL_SUMS_GLSL
 #undef AGAA_MATH_ENCODING_GLSL
+#undef AGAA_MATH_BLENDED_SUMS_GLSL
 #undef AGAA_MATH_METADATA_GLSL
 #undef AGAA_MATH_SECOND_MOMENTS_GLSL
 #undef AGAA_MATH_NDF_GLSL
@@ -62,6 +63,7 @@
 #include "../../src/shaders/math/hdr_weight.glsl"
 #include "../../src/shaders/math/pixel_sums.glsl"
 #include "../../src/shaders/math/encoding.glsl"
+#include "../../src/shaders/math/blended_sums.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/sbaa_records.glsl"
 #include "../../src/shaders/math/second_moments.glsl"

@@ -10,7 +10,7 @@ std::vector<ColorAttachment> colorAttachments(const Plan& plan, const Pass& pass
     for (size_t i = 0; i < pass.draw().colorTargets.size(); ++i) {
         const ResourceId target = pass.draw().colorTargets[i];
         for (uint32_t layer = 0; layer < plan.resources[target].layers; ++layer)
-            attachments.push_back({target, layer, plan.resources[target].format, pass.draw().clear.color[i]});
+            attachments.push_back({target, layer, plan.resources[target].format, pass.draw().clear.color.at(i)});
     }
     return attachments;
 }

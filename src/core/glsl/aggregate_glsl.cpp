@@ -14,9 +14,9 @@ std::string aggregateGlsl(const Plan& plan) {
     for (const Pass& pass : plan.passes)
         if (pass.kind() == PassKind::Compute && pass.compute().shadesAggregates)
             shade = &pass;
-    // Surfaces of "sbaa" have records in addition to their words.
+    // Surfaces of "sbaa" have records in addition to their words. Aggregates in attachments have no words.
     const auto isSummed = [](const Constants& c) {
-        return c[AGAA_STRIDE] == c[AGAA_WORDS] + c[AGAA_SPREAD_WORDS] + c[AGAA_DEPTH_WORDS];
+        return c[AGAA_STRIDE] && c[AGAA_STRIDE] == c[AGAA_WORDS] + c[AGAA_SPREAD_WORDS] + c[AGAA_DEPTH_WORDS];
     };
     require(shade && isSummed(shade->constants), AGAA_ERROR_UNSUPPORTED,
             "the view leaves no aggregates in memory: it is not of \"agaa\" by two passes, and not of the tiers ids "

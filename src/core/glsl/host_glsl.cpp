@@ -79,23 +79,52 @@ std::string bindingDefines(const HostDialect& dialect) {
     return out;
 }
 
-std::string storeAttachments(const Pass& pass) {
-    static constexpr const char* members[ChannelCount] = {
+// Members of agaa_Stored, by channel.
+constexpr const char* channelMembers[ChannelCount] = {
 #define AGAA_ATTRIBUTE(semantic, name)
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) #member,
 #include "shaders/tables/channels.inc"
-    };
+};
+
+std::string storeAttachments(const Pass& pass) {
     std::string out = "void agaa_store(agaa_Stored v) {\n";
     for (size_t i = 0; i < pass.draw().colorTargets.size(); ++i) {
         std::string components[4] = {"0.0", "0.0", "0.0", "0.0"};
         for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
             const uint32_t source = pass.constants[AGAA_SOURCE_DIFFUSE_R + channel];
             if (source >> 16 && (source & 0xFF) == i)
-                components[source >> 8 & 0xFF] = format("agaa_sourceOf(v.%s, %uu)", members[channel], source);
+                components[source >> 8 & 0xFF] = format("agaa_sourceOf(v.%s, %uu)", channelMembers[channel], source);
         }
         out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[0].c_str(), components[1].c_str(),
                       components[2].c_str(), components[3].c_str());
     }
+    return out + "}\n";
+}
+
+bool blendsAggregates(const Pass& pass) {
+    return pass.draw().id == AGAA_DRAW_PASS_AGGREGATE && !pass.draw().colorTargets.empty();
+}
+
+// Returns the function that writes a fragment's share of each channel to the attachments. A field has the attachment in
+// place of the word and the component in place of the shift. The last attachment has the coverage of samples beyond the
+// first eight.
+std::string blendAttachments(const Plan& plan, const Pass& pass) {
+    const size_t targets = pass.draw().colorTargets.size();
+    std::vector<std::array<std::string, 4>> components(targets, {"0.0", "0.0", "0.0", "0.0"});
+    const auto put = [&](uint32_t field, const std::string& value) {
+        components.at(field & 0xFF).at(field >> 8 & 0xFF) = value;
+    };
+    for (uint32_t channel = 0; channel < ChannelCount; ++channel)
+        if (const uint32_t field = pass.constants[AGAA_FIELD_DIFFUSE_R + channel]; field >> 16)
+            put(field, format("agaa_blendedValue(v.%s, count, %uu, %uu, %s)", channelMembers[channel],
+                              plan.view.samples, field >> 16 & 0xFF, field >> 24 & 1 ? "true" : "false"));
+    put(pass.constants[AGAA_FIELD_COVERAGE], "agaa_blendedMask(mask, 0u)");
+    for (uint32_t part = 1; part < plan.view.samples / 8; ++part)
+        put(uint32_t(targets - 1) | (part - 1) << 8, format("agaa_blendedMask(mask, %uu)", part));
+    std::string out = "void agaa_blend(agaa_Stored v, uint count, uint mask) {\n";
+    for (size_t i = 0; i < targets; ++i)
+        out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[i][0].c_str(),
+                      components[i][1].c_str(), components[i][2].c_str(), components[i][3].c_str());
     return out + "}\n";
 }
 
@@ -220,7 +249,8 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         out += format("#define AGAA_TARGET_TEXTURE %s\n", plan.view.hwSamples > 1 ? "sampler2DMS" : "sampler2D");
         defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.view.aggregates, 1u));
         defineSwitch(out, "AGAA_PER_SAMPLE", pass.draw().state.sampleShading);
-        defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.draw().extensions.empty());
+        defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE",
+                     std::ranges::count(pass.draw().extensions, "ARB_post_depth_coverage") != 0);
         defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
                      (plan.view.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING) != 0);
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
@@ -233,6 +263,9 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_CHECKS_FAR_PLANE", std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
         out += packing(c);
+        const std::array<uint32_t, 4>& masks = dialect.colorSampleMasks;
+        if (blendsAggregates(pass))
+            out += format("#define AGAA_ROUTES uvec4(%uu, %uu, %uu, %uu)\n", masks[0], masks[1], masks[2], masks[3]);
     }
     const bool hasCorners = pass.draw().id == AGAA_DRAW_PASS_FRAGMENTS;
     defineSwitch(out, "AGAA_HAS_CORNERS", hasCorners);
@@ -345,9 +378,17 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         appendGlsl(out, "host/forward.glsl", seen, shadingText(plan.view));
         break;
     case AGAA_DRAW_PASS_AGGREGATE:
+        appendGlsl(out, "host/far_plane.glsl", seen);
+        if (blendsAggregates(pass)) {
+            for (const char* path :
+                 {"aggregate/aggregate_input.glsl", "math/blended_sums.glsl", "host/visible_samples.glsl"})
+                appendGlsl(out, path, seen);
+            out += blendAttachments(plan, pass);
+            appendGlsl(out, "host/blend_aggregate.glsl", seen);
+            break;
+        }
         out += fields(pass.constants);
         appendGlsl(out, "aggregate/packing.glsl", seen);
-        appendGlsl(out, "host/far_plane.glsl", seen);
         appendGlsl(out, "host/accumulate_aggregate.glsl", seen);
         break;
     default:

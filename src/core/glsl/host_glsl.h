@@ -21,6 +21,9 @@ struct HostDialect {
     AgaaGlConstants constants = AGAA_GL_CONSTANTS_BLOCK;
     uint32_t descriptorSet = 0;                        // Vulkan: index of the SDK's set
     std::array<uint32_t, hostBindingCount> bindings{}; // OpenGL: by host_slot
+    // The mask of a colour sample has depth samples that belong to it alone. It is for attachments with fewer samples
+    // than depth.
+    std::array<uint32_t, 4> colorSampleMasks{1, 2, 4, 8};
 };
 
 std::string hostExtensions(const Plan& plan, const Pass& pass, const HostDialect& dialect);

@@ -147,7 +147,7 @@ enum class FragmentContent {
 
 // The values to which a draw clears its targets.
 struct ClearValues {
-    std::array<std::array<float, 4>, 4> color{};
+    std::array<std::array<float, 4>, maxAttachments> color{}; // by colour target
     float depth = 1;
     uint32_t stencil = 0;
 };

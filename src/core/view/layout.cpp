@@ -400,35 +400,46 @@ GBufferPacking packGBuffer(const Layout& layout) {
     return packing;
 }
 
-std::vector<NativeSurface> packNativeAggregate(const Layout& layout) {
-    std::vector<NativeSurface> surfaces;
-    const auto rgb = [](uint32_t bits) {
-        return bits <= 8 ? Format::RGBA8 : bits <= 10 ? Format::RGB10A2 : Format::RGB16;
-    };
-    const auto addAttribute = [&](const AgaaLayoutAttribute& a, const std::string& name) {
-        if (!a.channels || a.encoding == AGAA_ENCODING_FOLDED)
-            return;
-        const uint32_t bits = aggregateBitsOf(a);
-        if (a.encoding == AGAA_ENCODING_YCBCR) {
-            surfaces.push_back({"aggregate-specular-luma", bits <= 8 ? Format::R8 : Format::R16});
-            surfaces.push_back({"aggregate-specular-chroma", a.chromaBits <= 8 ? Format::RG8 : Format::RG16});
-        } else if (a.channels == 1) {
-            surfaces.push_back({name, bits <= 8 ? Format::R8 : Format::R16});
-        } else if (a.channels == 3) {
-            surfaces.push_back({name, rgb(bits)});
-        } else {
-            surfaces.push_back({name, attachmentFormat(bits <= 8 ? 8 : 16, a.channels)});
-        }
-    };
-    const auto add = [&](AgaaSemantic semantic, const char* name) { addAttribute(layout[semantic], name); };
-    add(AGAA_SEMANTIC_NORMAL, "aggregate-normal");
-    add(AGAA_SEMANTIC_DIFFUSE, "aggregate-diffuse");
-    add(AGAA_SEMANTIC_SPECULAR, "aggregate-specular");
-    add(AGAA_SEMANTIC_EMISSIVE, "aggregate-emissive");
-    add(AGAA_SEMANTIC_ROUGHNESS, "aggregate-roughness");
-    for (const CustomAttribute& custom : layout.customs)
-        addAttribute(custom.attribute, "aggregate-" + custom.name);
-    return surfaces;
+// Returns the bits of the channel that stores a value of so many bits: 8, 10 or 16. Ten are for three channels.
+static uint32_t channelBits(uint32_t bits, uint32_t channels) {
+    return bits <= 8 ? 8 : bits <= 10 && channels == 3 ? 10 : 16;
+}
+
+BlendedPacking packBlendedAggregate(const Layout& layout, uint32_t samples) {
+    checkSampleCount(samples, "the number of samples in an aggregate");
+    BlendedPacking packing;
+    for (const uint32_t bits : {16u, 10u, 8u}) {
+        const uint32_t capacity = bits == 10 ? 3 : 4;
+        uint32_t component = capacity; // next free one of the last attachment
+        const auto add = [&](Field& field) {
+            if (component == capacity) {
+                packing.attachments.push_back(Format::None);
+                component = 0;
+            }
+            field.word = uint32_t(packing.attachments.size() - 1);
+            field.shift = component++;
+            field.bits = bits;
+            packing.attachments.back() = attachmentFormat(bits, component);
+        };
+        forEachAttribute(layout, [&](const AgaaLayoutAttribute& a, uint32_t first) {
+            if (a.encoding == AGAA_ENCODING_FOLDED || isUnfiltered(a))
+                return;
+            for (uint32_t i = 0; i < a.channels; ++i) {
+                const bool isYCbCr = a.encoding == AGAA_ENCODING_YCBCR;
+                const uint32_t stored = isYCbCr && i > 0 ? a.chromaBits : aggregateBitsOf(a);
+                if (channelBits(stored, isYCbCr ? 1 : a.channels) != bits)
+                    continue;
+                Field& field = packing.fields[first + i];
+                field.isSigned = a.semantic == AGAA_SEMANTIC_NORMAL || a.filter == AGAA_FILTER_NORMAL;
+                add(field);
+            }
+        });
+        if (bits == 8)
+            add(packing.coverage);
+    }
+    if (samples > 8)
+        packing.attachments.push_back(attachmentFormat(8, samples / 8 - 1));
+    return packing;
 }
 
 } // namespace agaa

@@ -107,11 +107,17 @@ struct GBufferPacking {
 };
 GBufferPacking packGBuffer(const Layout& layout);
 
-// The render targets of one aggregate in the paper (figure 7), for native additive blending.
-struct NativeSurface {
-    std::string name;
-    Format format;
+// Sums of n fragments in UNORM attachments, by additive blending (AGAA figure 7). A sum has the bits of its channel at
+// every n, because fragments add shares of their values (src/shaders/math/blended_sums.glsl). The coverage has 8 bits
+// for each eight samples: the first eight share an attachment with attributes, the last attachment has the others.
+// Unfiltered attributes, which are no sums, are left out.
+struct BlendedPacking {
+    std::vector<Format> attachments;
+    Fields fields;
+    Field coverage; // of the first eight samples
 };
-std::vector<NativeSurface> packNativeAggregate(const Layout& layout);
+BlendedPacking packBlendedAggregate(const Layout& layout, uint32_t samples);
+// The largest number of attachments that a draw of the host has.
+inline constexpr uint32_t maxAttachments = 8;
 
 } // namespace agaa

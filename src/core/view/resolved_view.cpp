@@ -102,6 +102,17 @@ uint64_t aggregateBytes(const ResolvedView& view) {
 // Folded roughness and the spread of normals are one value in memory, which elliptic lobes cannot separate.
 bool needsEachNormal(const ResolvedView& view) { return view.keepsNormalMoments() && view.layout.foldsRoughness(); }
 
+// Sets what tiers that sum aggregates in attachments need.
+void describeAttachments(const ResolvedView& view, const AgaaDeviceCaps& caps, GenerationQuery& query) {
+    const Layout layout = view.needsSampleNormals() ? twoPassLayout(view.layout, view.facts.flags) : view.layout;
+    query.hasScaledTarget = view.scaleX * view.scaleY > 1;
+    const uint64_t stencils = AGAA_DEVICE_D32S8 | (view.reversedZ ? 0 : AGAA_DEVICE_D24S8);
+    query.lacksStencil = !(caps.flags & stencils) || view.measurement.flags & AGAA_MEASURE_NO_STENCIL;
+    query.hasUnfiltered = layout.unfilteredChannels() != 0 || layout.classChannel() != 0;
+    query.keepsMoments = view.keepsNormalMoments();
+    query.attachments = uint32_t(packBlendedAggregate(layout, view.samples).attachments.size());
+}
+
 void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, TechniqueTable table) {
     const Technique& technique = *view.technique;
     if (technique.tiers.empty())
@@ -122,6 +133,9 @@ void chooseGenerationTier(ResolvedView& view, const AgaaDeviceCaps& caps, Techni
     // The other tiers shade at once, without aggregates in memory.
     if (technique.groupsSamples && !query.coverageSamples && !(config.flags & AGAA_CONFIG_BUFFERED))
         query.aggregateBytes = aggregateBytes(view);
+    // The tier that sums aggregates in attachments is for "agaa".
+    if (technique.groupsSamples && config.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
+        describeAttachments(view, caps, query);
     const GenerationChoice choice = chooseGeneration(table, technique, query, config.generationTier);
     if (!choice.row)
         fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
@@ -163,9 +177,6 @@ void checkTierOptions(const ResolvedView& view, const Technique& technique) {
             "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic "
             "lobes, or AGAA_DIFFUSE_SGGX, of a layout with folded roughness, whose aggregates in memory cannot have "
             "them.");
-    require(!view.keepsNormalMoments() || view.generationTier != AGAA_TIER_NV_MIXED_SAMPLES, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::ndf asks for elliptic lobes, or AgaaMeasurement::diffuseFilter for SGGX, whose moments of "
-            "normals the tier nv-mixed-samples does not keep.");
     require(!view.storesDepth() || (technique.groupsSamples && view.sumsFragments()), AGAA_ERROR_UNSUPPORTED,
             "AgaaMeasurement::flags: AGAA_MEASURE_STORED_DEPTH needs \"agaa\" with the tier post-depth-atomics or "
             "per-sample, whose fragments add to the sums of aggregates.");

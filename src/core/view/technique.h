@@ -38,6 +38,12 @@ struct GenerationQuery {
     bool coverageSamples = false;  // AUTO selects among tiers with coverage samples
     bool needsMaterials = false;   // settings need materials when samples are grouped
     uint64_t aggregateBytes = 0;   // of one buffer, if another tier needs none; 0: not checked
+    // Tiers that sum aggregates in attachments read the rest.
+    bool hasScaledTarget = false; // the samples of a pixel are in several texels
+    bool lacksStencil = false;    // no stencil test keeps the first of equal depths
+    bool hasUnfiltered = false;   // aggregates have attributes that are no sums
+    bool keepsMoments = false;    // aggregates have second moments of their normals
+    uint32_t attachments = 0;     // that aggregates need; 0: not checked
 };
 
 struct TierAnswer {

@@ -222,7 +222,10 @@ void addDeviceSamples(std::vector<AgaaCapability>& rows, TechniqueTable table, c
         rows.push_back(
             capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
     if (!technique.tiers.empty())
-        addGeneration(rows, table, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples});
+        addGeneration(rows, table, technique, samples,
+                      {.caps = caps,
+                       .hwSamples = visibility.hwSamples,
+                       .hasScaledTarget = visibility.scaleX * visibility.scaleY > 1});
     addShading(rows, technique, samples);
 }
 

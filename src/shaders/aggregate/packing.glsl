@@ -1,8 +1,7 @@
 // Packs a fragment's attributes as the words of an aggregate: quantised values, which aggregates sum.
 #ifndef AGAA_PACKING_GLSL
 #define AGAA_PACKING_GLSL
-#include "math/ndf.glsl"
-#include "common/stored.glsl"
+#include "aggregate/aggregate_input.glsl"
 
 #ifndef AGAA_MAX_WORDS
 // The maximum is a word for each channel and one for the coverage.
@@ -25,10 +24,7 @@ void agaa_pack(uint field, float value) {
 
 // Packs the words that a fragment adds to an aggregate for each of its samples.
 void agaa_packSurface(agaa_Stored v) {
-    if (AGAA_FOLDED_ROUGHNESS != 0u)
-        v.normal *= agaa_foldedLength(v.alpha2);
-    if (AGAA_YCBCR_SPECULAR != 0u)
-        v.specular = agaa_rgbToYCbCr(v.specular);
+    v = agaa_aggregateInput(v);
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_packed[w] = 0u;
 #define AGAA_ATTRIBUTE(semantic, name)

@@ -35,15 +35,20 @@ bool agaa_isVisible(uvec2 pixel, uint i) {
 }
 #endif
 #endif
+#define AGAA_IMAGE_WIDTH agaa_frame.size.x
+#define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
+#include "aggregate/stored_means.glsl"
+#include "math/normal_moments.glsl"
+#ifdef AGAA_BLENDED_TARGETS // a plan with aggregates in attachments has it, and compiles the pass with the view
+#include "aggregate/blended_aggregate.glsl"
+#else
 layout(std430, AGAA_BINDING_AGGREGATES) readonly buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
-
 #define AGAA_AGGREGATE_WORD(i) agaa_aggregates.words[i]
-#define AGAA_IMAGE_WIDTH agaa_frame.size.x
-#define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_aggregate.glsl"
 #include "aggregate/stored_depth.glsl"
+#endif
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
@@ -83,6 +88,9 @@ agaa_Means agaa_meansOfAggregate(uvec2 pixel, uint normals) {
     agaa_Means means = agaa_meansOfStored(agaa_storedMeans());
     if (AGAA_SPREAD_WORDS != 0u)
         means.moments = agaa_storedMoments();
+#ifdef AGAA_BLENDED_TARGETS
+    means.lengthBound = agaa_summedLengthBound();
+#endif
 #ifdef AGAA_READS_NORMALS
     if (AGAA_PREPASS_NORMALS != 0u) {
         means.normal = agaa_meanPrepassNormal(pixel, normals);
@@ -99,9 +107,11 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     uint normals = mask;
     agaa_aggregateSamples = uint(bitCount(mask));
     vec3 position;
+#ifndef AGAA_BLENDED_TARGETS
     if (AGAA_DEPTH_WORDS != 0u)
         position = agaa_locateByMoments(pixel, mask);
     else
+#endif
         position = agaa_locateAggregate(pixel, mask);
 #if AGAA_REPRESENTED
     uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);

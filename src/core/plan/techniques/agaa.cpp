@@ -30,27 +30,6 @@ ResourceId defineAggregates(PlanBuilder& b, const std::function<void(Pass&)>& bi
     return metadata;
 }
 
-// The method of the papers, which is priced and never run: additive blending into c samples of colour targets.
-void buildNative(PlanBuilder& b) {
-    const Prepass prepass = drawPrepass(b, true);
-    defineAggregates(b, [&](Pass& define) {
-        b.bind(define, slot::Depth, BindingType::Texture, prepass.depth);
-        b.bind(define, slot::Normals, BindingType::Texture, prepass.values);
-    });
-    const uint32_t slots = std::bit_ceil(b.view().aggregates); // no device has 3 samples
-    uint64_t bytes = 0;
-    const auto surface = [&](const std::string& name, Format format) {
-        b.multisampledImage(name, format, slots);
-        bytes += bytesPerTexel(format);
-    };
-    for (const NativeSurface& native : packNativeAggregate(twoPassLayout(b.view().layout, b.view().facts.flags)))
-        surface(native.name, native.format);
-    surface("aggregate-coverage", Format::R8U);
-    if (b.view().samples > 8)
-        surface("aggregate-coverage-beyond-8-bits", b.view().samples > 16 ? Format::R32U : Format::R8U);
-    b.plan.bytesPerAggregate = uint32_t(bytes);
-}
-
 // One compute pass clusters and shades the fragments that are visible at coverage samples.
 void shadeFromFragments(PlanBuilder& b) {
     const FragmentLists lists = drawFragments(b, AGAA_KEPT_PLANE_WORDS + 1, drawSegment(b.view())); // and the aggregate
@@ -78,8 +57,6 @@ void resolve(ResolvedView& view) {
 }
 
 void build(PlanBuilder& b) {
-    if (b.view().generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
-        return buildNative(b);
     if (b.view().generationTier == AGAA_TIER_FRAGMENTS)
         return shadeFromFragments(b);
     const bool byIds = b.view().generationTier == AGAA_TIER_IDS;
@@ -94,6 +71,8 @@ void build(PlanBuilder& b) {
     sums.depthWords = b.view().storesDepth() ? AGAA_DEPTH_MOMENT_WORDS : 0;
     sums.stride = sums.packing.words + sums.spreadWords + sums.depthWords;
     sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
+    if (b.view().generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
+        return buildInAttachments(b, sums);
     byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
 }
 

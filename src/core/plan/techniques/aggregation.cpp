@@ -9,6 +9,8 @@
 #include "shaders/tables/layouts.inc"
 
 #include <algorithm>
+#include <bit>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -93,9 +95,16 @@ ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a, uint64_t claimB
     return b.pixelBuffer("aggregates", checkedMultiply(b.view().aggregates, 4 * a.stride) + claimBytes);
 }
 
-// metadata may be noResource.
-void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass, ResourceId metadata,
-                    ResourceId aggregates) {
+// Draws what a second geometry pass needs: depth and, except with one aggregate, the values that tell samples apart.
+Prepass drawFirstPass(PlanBuilder& b, const Aggregation& a) {
+    // The class is beside the normal.
+    const Format values = a.packing.classWord && !a.represented ? Format::RGBA8 : Format::RG8;
+    return a.represented || b.view().needsSampleNormals() ? drawPrepass(b, b.wantsStencil(), "normals", values)
+                                                          : drawDepthPrepass(b, b.wantsStencil());
+}
+
+// Adds the second geometry pass, which needs targets. metadata may be noResource.
+Pass& drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass, ResourceId metadata) {
     const bool stencil = b.keepsFirst();
     if (b.wantsStencil() && !stencil)
         b.note("no format of depth and stencil: of equal depths the first to come is kept, which is "
@@ -117,15 +126,13 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself.
     if (!a.represented && !b.view().reversedZ && prepass.values != noResource)
         b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.values);
-    b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.view().hwSamples > 1)
         pass.draw().extensions.push_back("ARB_post_depth_coverage");
-    setRecord(pass, a);
+    return pass;
 }
 
 // bindDepth: binds the depth of samples and the image that shows where geometry is.
-void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates,
-                     const std::function<void(Pass&)>& bindDepth) {
+Pass& shadeAggregates(PlanBuilder& b, const Aggregation& a, const std::function<void(Pass&)>& bindDepth) {
     b.cullLights(bindDepth);
     Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
                             {{Switch::Represented, a.represented}});
@@ -134,38 +141,100 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
     b.bindLighting(shade);
     b.bindOutput(shade);
     bindDepth(shade);
+    return shade;
+}
+
+void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates,
+                     const std::function<void(Pass&)>& bindDepth) {
+    Pass& shade = shadeAggregates(b, a, bindDepth);
     b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, aggregates);
     setRecord(shade, a);
 }
 
-} // namespace
+// Binds what two geometry passes know of samples.
+void bindFirstPass(PlanBuilder& b, const Aggregation& a, const Prepass& prepass, Pass& pass) {
+    const bool hasNormals = a.layout.has(AGAA_SEMANTIC_NORMAL);
+    b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
+    if (hasNormals)
+        bindGeometryMask(b, pass, prepass.values, prepass.depth);
+    else
+        b.bind(pass, slot::Normals, BindingType::Texture, prepass.values);
+    pass.constants[AGAA_COVERAGE_COMPONENT] = 0;
+    pass.constants[AGAA_PREPASS_NORMALS] = !hasNormals;
+}
 
-void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
-    // The class is beside the normal.
-    const Format values = a.packing.classWord && !a.represented ? Format::RGBA8 : Format::RG8;
-    const Prepass prepass = a.represented || b.view().needsSampleNormals()
-                                ? drawPrepass(b, b.wantsStencil(), "normals", values)
-                                : drawDepthPrepass(b, b.wantsStencil());
-    const ResourceId aggregates = aggregateBuffer(b, a, b.view().claimBytes());
-    const ResourceId metadata = a.define(
+// Adds the pass that assigns samples to aggregates.
+ResourceId define(PlanBuilder& b, const Aggregation& a, const Prepass& prepass, ResourceId aggregates) {
+    return a.define(
         [&](Pass& pass) {
             b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
             b.bind(pass, slot::Normals, BindingType::Texture, prepass.values);
         },
         aggregates);
+}
+
+} // namespace
+
+void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
+    const Prepass prepass = drawFirstPass(b, a);
+    const ResourceId aggregates = aggregateBuffer(b, a, b.view().claimBytes());
+    const ResourceId metadata = define(b, a, prepass, aggregates);
     if (!a.definitionClears)
         b.fill("clear aggregates", AGAA_STAGE_GENERATION, aggregates, AGAA_SEGMENT_GENERATION);
-    drawAggregates(b, a, prepass, metadata, aggregates);
-    shadeAggregates(b, a, aggregates, [&](Pass& pass) {
-        const bool hasNormals = a.layout.has(AGAA_SEMANTIC_NORMAL);
-        b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
-        if (hasNormals)
-            bindGeometryMask(b, pass, prepass.values, prepass.depth);
-        else
-            b.bind(pass, slot::Normals, BindingType::Texture, prepass.values);
-        pass.constants[AGAA_COVERAGE_COMPONENT] = 0;
-        pass.constants[AGAA_PREPASS_NORMALS] = !hasNormals;
-    });
+    Pass& pass = drawAggregates(b, a, prepass, metadata);
+    b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
+    setRecord(pass, a);
+    shadeAggregates(b, a, aggregates, [&](Pass& shade) { bindFirstPass(b, a, prepass, shade); });
+}
+
+namespace {
+
+// Sets the constants that describe sums in attachments. A field has the attachment in place of the word.
+void setBlended(Pass& pass, const Aggregation& a, const BlendedPacking& packing) {
+    setFields(pass.constants, AGAA_FIELD_DIFFUSE_R, packing.fields);
+    pass.constants[AGAA_FIELD_COVERAGE] = packing.coverage.constant();
+    pass.constants[AGAA_FOLDED_ROUGHNESS] = a.layout.foldsRoughness();
+    pass.constants[AGAA_YCBCR_SPECULAR] = a.layout.specularIsYCbCr();
+}
+
+} // namespace
+
+void buildInAttachments(PlanBuilder& b, const Aggregation& a) {
+    static constexpr uint32_t slots[] = {slot::Blended0, slot::Blended1, slot::Blended2, slot::Blended3,
+                                         slot::Blended4, slot::Blended5, slot::Blended6, slot::Blended7};
+    static_assert(std::size(slots) == maxAttachments);
+    const BlendedPacking packing = packBlendedAggregate(a.layout, b.view().samples);
+    const uint32_t samples = std::bit_ceil(b.view().aggregates); // no device has 3; at most n
+    const Prepass prepass = drawFirstPass(b, a);
+    const ResourceId metadata = define(b, a, prepass, noResource);
+    std::vector<ResourceId> targets;
+    for (size_t i = 0; i < packing.attachments.size(); ++i) {
+        const bool isBeyond = b.view().samples > 8 && i + 1 == packing.attachments.size();
+        targets.push_back(b.multisampledImage(isBeyond ? std::string("aggregate-coverage-beyond-8-bits")
+                                                       : "aggregates-" + std::to_string(i),
+                                              packing.attachments[i], samples));
+        b.plan.bytesPerAggregate += bytesPerTexel(packing.attachments[i]);
+    }
+    Pass& pass = drawAggregates(b, a, prepass, metadata);
+    DrawPart& draw = pass.draw();
+    draw.extensions.push_back("NV_sample_mask_override_coverage");
+    draw.colorTargets = targets;
+    draw.clearsColor = true;
+    draw.state.colorAttachmentCount = uint32_t(targets.size());
+    draw.state.additive = 1;
+    draw.state.colorSamples = samples < b.view().hwSamples ? samples : 0;
+    // Sums cannot leave out a sample that they have already. A fragment with a mask takes all samples that it covers at
+    // this depth, so that a coplanar fragment drawn later loses those that the mask excludes.
+    draw.state.stencilTestMasked = 1;
+    setBlended(pass, a, packing);
+    Pass& shade = shadeAggregates(b, a, [&](Pass& reader) { bindFirstPass(b, a, prepass, reader); });
+    for (size_t i = 0; i < targets.size(); ++i)
+        b.bind(shade, slots[i], BindingType::Texture, targets[i]);
+    setBlended(shade, a, packing);
+    ComputePart& program = shade.compute();
+    program.text = "#include \"" + program.file + "\"\n"; // compiled with the view: few devices run it
+    program.defines +=
+        format("#define AGAA_BLENDED_TARGETS %zu\n#define AGAA_BLENDED_SAMPLES %u\n", targets.size(), samples);
 }
 
 void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {

@@ -45,6 +45,9 @@ void setRecord(Pass& pass, const Aggregation& aggregation);
 // Adds a prepass, the definition and a second geometry pass, whose fragments go to the aggregates of their visible
 // samples.
 void buildTwoPasses(PlanBuilder& b, const Aggregation& aggregation);
+// Adds the same passes with sums in attachments: the second geometry pass blends fragments additively into a colour
+// sample for each aggregate, of attachments with fewer samples than the depth has.
+void buildInAttachments(PlanBuilder& b, const Aggregation& aggregation);
 // Adds one geometry pass into a multisampled G-buffer, from which a compute pass fills the aggregates.
 void buildFromGBuffer(PlanBuilder& b, const Aggregation& aggregation);
 // Adds one geometry pass into a multisampled G-buffer and a compute pass that groups samples and shades.

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/names.h"
+#include "core/view/layout.h"
 
 namespace agaa {
 
@@ -64,12 +65,40 @@ TierAnswer answerPerSample(const GenerationQuery& q) {
     return {false, "the device has no sample-rate shading."};
 }
 
+constexpr const char* noMixedSamplesReason =
+    "the device has no mixed samples with coverage override (AGAA_DEVICE_NV_MIXED_SAMPLES).";
+
 TierAnswer answerMixedSamples(const GenerationQuery& q) {
     if (std::string refusal = twoPassRefusal(q); !refusal.empty())
         return {false, refusal};
     if (!(q.caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES))
-        return {false, "the device has no mixed samples with coverage override."};
-    return {true, "mixed samples with additive blending; priced, not yet run."};
+        return {false, noMixedSamplesReason};
+    if (q.hwSamples > 1 && !(q.caps.flags & AGAA_DEVICE_POST_DEPTH_COVERAGE))
+        return {false, "the device has no post-depth coverage."};
+    if (q.hasScaledTarget)
+        return {false, "mixed samples need a target of the device's own n samples."};
+    if (q.lacksStencil)
+        return {false, "additive blending would count samples of coplanar fragments twice without a stencil test."};
+    if (q.hasUnfiltered)
+        return {false, "additive blending has no attributes of AGAA_FILTER_NONE and AGAA_FILTER_CLASS, which are no "
+                       "sums."};
+    if (q.keepsMoments)
+        return {false, "AgaaConfig::ndf asks for elliptic lobes, or AgaaMeasurement::diffuseFilter for SGGX, whose "
+                       "moments of normals the tier nv-mixed-samples does not keep."};
+    if (q.attachments > maxAttachments)
+        return {false, format("the aggregates of this layout need %u attachments; a draw has %u.", q.attachments,
+                              maxAttachments)};
+    return {true, "mixed samples sum aggregates by additive blending in attachments; not yet run on a device."};
+}
+
+TierAnswer answerPricedMixedSamples(const GenerationQuery& q) {
+    if (std::string refusal = twoPassRefusal(q); !refusal.empty())
+        return {false, refusal};
+    if (!(q.caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES))
+        return {false, noMixedSamplesReason};
+    return {true,
+            "the memory of the papers; it is never run, because a surface has the attributes of one sample, which "
+            "additive blending cannot select."};
 }
 
 // The tier always runs. The reason says why AUTO selected it.
@@ -225,8 +254,10 @@ const GenerationTier sampleGBufferTier = {.tier = AGAA_TIER_GBUFFER,
                                           .knowsMaterials = true,
                                           .readsGBuffer = true,
                                           .answer = answerSampleGBuffer};
-const GenerationTier mixedSamplesTier = {
-    .tier = AGAA_TIER_NV_MIXED_SAMPLES, .isModel = true, .answer = answerMixedSamples};
+// It is not automatic, because no device has run it. Its cost is unknown, too.
+const GenerationTier mixedSamplesTier = {.tier = AGAA_TIER_NV_MIXED_SAMPLES, .answer = answerMixedSamples};
+const GenerationTier pricedMixedSamplesTier = {
+    .tier = AGAA_TIER_NV_MIXED_SAMPLES, .isModel = true, .answer = answerPricedMixedSamples};
 const GenerationTier fragmentListsTier = {.tier = AGAA_TIER_FRAGMENT_LISTS,
                                           .isAutomatic = true,
                                           .knowsMaterials = true,

@@ -10,6 +10,7 @@ extern const GenerationTier postDepthTier;
 extern const GenerationTier perSampleTier;
 extern const GenerationTier gbufferTier;
 extern const GenerationTier mixedSamplesTier;
+extern const GenerationTier pricedMixedSamplesTier; // memory of the papers
 // These shade samples and generate no aggregates.
 extern const GenerationTier sampleIdsTier;
 extern const GenerationTier sampleGBufferTier;

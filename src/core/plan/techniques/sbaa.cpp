@@ -54,7 +54,8 @@ void build(PlanBuilder& b) {
 
 } // namespace
 
-static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier, &mixedSamplesTier};
+static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier,
+                                                  &pricedMixedSamplesTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
 const Technique sbaaTechnique = {.name = "sbaa",
                                  .maxSamples = 32,
