@@ -21,6 +21,8 @@ struct Mistakes {
     std::function<void(float* projection)> changeProjection;
     // Changes the state of the pass (AgaaDrawPassId) to the state of the pipelines.
     std::function<void(uint32_t pass, AgaaDrawState&)> changeState;
+    // Vulkan: changes the text of each fragment shader.
+    std::function<void(std::string& text)> changeFragmentShader;
     bool blends = false;         // alpha blending (SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ADD) is on in all passes
     bool keysByPass = false;     // the keys of pipelines are AgaaDrawPassId instead of pipelineKey; all views share
                                  // them

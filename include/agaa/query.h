@@ -17,7 +17,11 @@ extern "C" {
 #define AGAA_DEVICE_SAMPLE_RATE_SHADING UINT64_C(0x04)
 #define AGAA_DEVICE_DYNAMIC_RENDERING UINT64_C(0x08)
 #define AGAA_DEVICE_STORAGE_FORMATS UINT64_C(0x10) /* extended storage formats, writes without a format */
-#define AGAA_DEVICE_NV_MIXED_SAMPLES UINT64_C(0x20)
+#define AGAA_DEVICE_NV_MIXED_SAMPLES                                                                                   \
+    UINT64_C(0x20) /* colour attachments with fewer samples than depth, and fragment shaders that choose their         \
+                      samples: GL_NV_framebuffer_mixed_samples and GL_NV_sample_mask_override_coverage, or the         \
+                      extensions of these names on Vulkan with VK_NV_coverage_reduction_mode, which must have          \
+                      TRUNCATE */
 #define AGAA_DEVICE_D24S8 UINT64_C(0x40)
 #define AGAA_DEVICE_D32S8 UINT64_C(0x80)
 #define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */

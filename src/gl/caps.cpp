@@ -23,6 +23,8 @@ constexpr const char* optionalExtensions[] = {
     "GL_ARB_fragment_shader_interlock",
     "GL_EXT_shader_framebuffer_fetch",
     "GL_KHR_shader_subgroup",
+    "GL_NV_framebuffer_mixed_samples",
+    "GL_NV_sample_mask_override_coverage",
 };
 
 GLint integer(const GladGLContext& gl, GLenum parameter) {
@@ -100,7 +102,8 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
         caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
     if (gl.EXT_shader_framebuffer_fetch)
         caps.flags |= AGAA_DEVICE_FRAMEBUFFER_FETCH;
-    if (gl.NV_framebuffer_mixed_samples && gl.NV_sample_mask_override_coverage)
+    if (gl.NV_framebuffer_mixed_samples && gl.NV_sample_mask_override_coverage &&
+        integer(gl, GL_MIXED_DEPTH_SAMPLES_SUPPORTED_NV) && integer(gl, GL_MIXED_STENCIL_SAMPLES_SUPPORTED_NV))
         caps.flags |= AGAA_DEVICE_NV_MIXED_SAMPLES;
     caps.sampleCounts = 0x1F; // no standard defines a pattern of 32 samples
     for (Format format : {Format::R8, Format::RG8, Format::RGBA8, Format::R16, Format::RG16, Format::RGBA16,

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "gl/bindings.h"
+#include "gl/color_samples.h"
 #include "gl/errors.h"
 #include "gl/timer_probe.h"
 
@@ -254,6 +255,28 @@ void Context::clearHostErrors(const char* call, GLenum ours) const {
         else
             ours = GL_NO_ERROR;
     }
+}
+
+std::array<uint32_t, 4> Context::colorSampleMasks(uint32_t samples, uint32_t colorSamples) {
+    guard->capture();
+    std::array<uint32_t, 4> masks{};
+    try {
+        masks = probeColorSamples(gl, samples, colorSamples);
+    } catch (...) {
+        guard->restore();
+        discardErrors(gl);
+        throw;
+    }
+    guard->restore();
+    uint32_t seen = 0;
+    for (uint32_t i = 0; i < colorSamples; ++i) {
+        if (masks[i] == 0 || masks[i] & seen)
+            fail(AGAA_ERROR_UNSUPPORTED,
+                 format("the driver gives colour sample %u of %u no sample of %u that is its own.", i, colorSamples,
+                        samples));
+        seen |= masks[i];
+    }
+    return masks;
 }
 
 void Context::requireAlive() {

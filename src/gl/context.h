@@ -11,6 +11,7 @@
 
 #include <glad/gl.h>
 
+#include <array>
 #include <optional>
 
 namespace agaa::gl {
@@ -36,6 +37,10 @@ public:
     void requireAlive();
     // Throws if an OpenGL call since clearHostErrors() failed.
     void checkErrors(const char* what) const;
+
+    // Returns HostDialect::colorSampleMasks of framebuffers with these numbers of samples. Throws
+    // AGAA_ERROR_UNSUPPORTED if a colour sample has no coverage sample of its own.
+    std::array<uint32_t, 4> colorSampleMasks(uint32_t samples, uint32_t colorSamples);
 
     GladGLContext gl{};
     HostDialect dialect;

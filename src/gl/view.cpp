@@ -25,7 +25,7 @@ View::View(Context& owner, Plan framePlan)
     upload_.resize(largest);
     try {
         resources.emplace(context, plan);
-        hostPasses = makeHostPasses(plan, context.dialect);
+        hostPasses = makeHostPasses(plan, viewDialect());
         for (const HostPass& pass : hostPasses)
             if (!pass.functionCheck.empty())
                 checkFragment(context.gl, pass.functionCheck, pass.functionOrigin);
@@ -72,6 +72,16 @@ void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
     context.requireAlive();
     context.clearHostErrors("agaaPrepareVariants");
     ViewState::prepare(settings, facts);
+}
+
+// Attachments with fewer samples than depth need the colour samples' masks of the driver.
+HostDialect View::viewDialect() const {
+    HostDialect dialect = context.dialect;
+    for (const Pass& pass : plan.passes)
+        if (pass.kind() == PassKind::HostDraw && pass.draw().state.colorSamples)
+            dialect.colorSampleMasks =
+                context.colorSampleMasks(pass.draw().state.samples, pass.draw().state.colorSamples);
+    return dialect;
 }
 
 void View::createFramebuffers() {

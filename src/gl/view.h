@@ -47,6 +47,7 @@ private:
     class HostState;
 
     Compiled compile(const Pass& pass, size_t index) override;
+    HostDialect viewDialect() const; // of the host's shaders
     void createFramebuffers();
     void createFramebuffer(size_t index);
     SamplePositions readPositions() const;

@@ -11,6 +11,28 @@
 
 namespace agaa::vk {
 
+constexpr const char* mixedSamplesCall = "vkGetPhysicalDeviceSupportedFramebufferMixedSamplesCombinationsNV";
+
+std::vector<MixedSamples> truncatedSamples(const InstanceTable& vk, VkPhysicalDevice device) {
+    std::vector<MixedSamples> list;
+    const auto get = reinterpret_cast<PFN_vkGetPhysicalDeviceSupportedFramebufferMixedSamplesCombinationsNV>(
+        vk.getProcAddr(vk.instance, mixedSamplesCall));
+    if (!get)
+        return list;
+    uint32_t count = 0;
+    check(get(device, &count, nullptr), mixedSamplesCall);
+    std::vector<VkFramebufferMixedSamplesCombinationNV> combinations(count);
+    for (VkFramebufferMixedSamplesCombinationNV& combination : combinations)
+        combination.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_MIXED_SAMPLES_COMBINATION_NV;
+    check(get(device, &count, combinations.data()), mixedSamplesCall);
+    for (const VkFramebufferMixedSamplesCombinationNV& c : combinations) {
+        const auto samples = uint32_t(c.rasterizationSamples);
+        if (c.coverageReductionMode == VK_COVERAGE_REDUCTION_MODE_TRUNCATE_NV && c.depthStencilSamples & samples)
+            list.push_back({samples, c.colorSamples});
+    }
+    return list;
+}
+
 namespace {
 
 constexpr const char* requiredFeatures[] = {
@@ -24,12 +46,16 @@ constexpr const char* optionalFeatures[] = {"dynamicRendering",
                                             "conditionalRendering",
                                             "fragmentShaderPixelInterlock",
                                             "rasterizationOrderColorAttachmentAccess",
+                                            "coverageReductionMode",
                                             "computeFullSubgroups"};
 constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
                                               VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
                                               VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME,
                                               VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME,
                                               VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME,
+                                              VK_NV_FRAMEBUFFER_MIXED_SAMPLES_EXTENSION_NAME,
+                                              VK_NV_SAMPLE_MASK_OVERRIDE_COVERAGE_EXTENSION_NAME,
+                                              VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME,
                                               VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME};
 
 std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk, VkPhysicalDevice device) {
@@ -96,6 +122,15 @@ bool ordersColorAccess(const InstanceTable& vk, VkPhysicalDevice device, const V
            limits.maxFragmentCombinedOutputResources >= withCounters;
 }
 
+// The device must have VK_NV_coverage_reduction_mode.
+bool reducesCoverage(const InstanceTable& vk, VkPhysicalDevice device) {
+    VkPhysicalDeviceCoverageReductionModeFeaturesNV reduction{};
+    reduction.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_COVERAGE_REDUCTION_MODE_FEATURES_NV;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &reduction, {}};
+    vk.GetPhysicalDeviceFeatures2(device, &features);
+    return reduction.coverageReductionMode && !truncatedSamples(vk, device).empty();
+}
+
 // Returns AgaaDeviceCaps::subgroupSize. The device must have Vulkan 1.3 or the extension.
 uint32_t fullSubgroupSize(const InstanceTable& vk, VkPhysicalDevice device) {
     VkPhysicalDeviceSubgroupProperties subgroup{};
@@ -150,10 +185,14 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     set(rendersAndSamples(vk, device, VK_FORMAT_D24_UNORM_S8_UINT), AGAA_DEVICE_D24S8);
     set(rendersAndSamples(vk, device, VK_FORMAT_D32_SFLOAT_S8_UINT), AGAA_DEVICE_D32S8);
     set(properties.properties.apiVersion >= VK_API_VERSION_1_3, AGAA_DEVICE_DYNAMIC_RENDERING);
+    uint32_t mixedSampleExtensions = 0;
     bool controlsSubgroups = properties.properties.apiVersion >= VK_API_VERSION_1_3;
     for (const VkExtensionProperties& extension : deviceExtensions(vk, device)) {
         const std::string_view name = extension.extensionName;
         controlsSubgroups |= name == VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME;
+        mixedSampleExtensions += name == VK_NV_FRAMEBUFFER_MIXED_SAMPLES_EXTENSION_NAME ||
+                                 name == VK_NV_SAMPLE_MASK_OVERRIDE_COVERAGE_EXTENSION_NAME ||
+                                 name == VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME;
         set(name == VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME, AGAA_DEVICE_POST_DEPTH_COVERAGE);
         set(name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, AGAA_DEVICE_DYNAMIC_RENDERING);
         set(name == VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME && rendersConditionally(vk, device),
@@ -164,6 +203,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
                 ordersColorAccess(vk, device, limits),
             AGAA_DEVICE_FRAMEBUFFER_FETCH);
     }
+    set(mixedSampleExtensions == 3 && reducesCoverage(vk, device), AGAA_DEVICE_NV_MIXED_SAMPLES);
     if (controlsSubgroups)
         caps.subgroupSize = fullSubgroupSize(vk, device);
     VkSampleCountFlags counts = usableSamples(vk, device, limits, VK_FORMAT_D32_SFLOAT);

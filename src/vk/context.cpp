@@ -1,6 +1,7 @@
 #include "vk/context.h"
 
 #include "core/base/error.h"
+#include "vk/formats.h"
 
 #include <algorithm>
 #include <cstring>
@@ -18,6 +19,10 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
     };
     if (!enabled(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_POST_DEPTH_COVERAGE;
+    if (!enabled(VK_NV_FRAMEBUFFER_MIXED_SAMPLES_EXTENSION_NAME) ||
+        !enabled(VK_NV_SAMPLE_MASK_OVERRIDE_COVERAGE_EXTENSION_NAME) ||
+        !enabled(VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME) || !desc.enabledFeatures)
+        caps.flags &= ~AGAA_DEVICE_NV_MIXED_SAMPLES;
     if (!enabled(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_FRAGMENT_INTERLOCK;
     if (apiVersion < VK_API_VERSION_1_3 && !enabled(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME))
@@ -42,7 +47,7 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat, AGAA_DEVICE_STORAGE_FORMATS);
     VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE, interlock = VK_FALSE, colorOrder = VK_FALSE,
-             fullSubgroups = VK_FALSE;
+             fullSubgroups = VK_FALSE, coverageReduction = VK_FALSE;
     for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next; next = next->pNext) {
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES) {
             const auto* features = reinterpret_cast<const VkPhysicalDeviceVulkan13Features*>(next);
@@ -64,11 +69,15 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT)
             colorOrder |= reinterpret_cast<const VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT*>(next)
                               ->rasterizationOrderColorAttachmentAccess;
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_COVERAGE_REDUCTION_MODE_FEATURES_NV)
+            coverageReduction |=
+                reinterpret_cast<const VkPhysicalDeviceCoverageReductionModeFeaturesNV*>(next)->coverageReductionMode;
     }
     keep(dynamicRendering, AGAA_DEVICE_DYNAMIC_RENDERING);
     keep(conditionalRendering, AGAA_DEVICE_CONDITIONAL_RENDERING);
     keep(interlock, AGAA_DEVICE_FRAGMENT_INTERLOCK);
     keep(colorOrder, AGAA_DEVICE_FRAMEBUFFER_FETCH);
+    keep(coverageReduction, AGAA_DEVICE_NV_MIXED_SAMPLES);
     if (!fullSubgroups)
         caps.subgroupSize = 0;
 }
@@ -132,6 +141,8 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc,
         log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
                   "the device does not rasterise at the standard sample locations; positions of "
                   "samples are approximate.");
+    if (caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES)
+        mixedSamples = truncatedSamples(instanceFunctions, physicalDevice);
     conditionalRendering = caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
     vk = loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device,
                          {dynamicRendering, conditionalRendering});
@@ -167,6 +178,26 @@ void Context::destroyObjects() {
     vk.DestroySampler(device, linearSampler, nullptr);
     vk.DestroySampler(device, shadowSampler, nullptr);
     vk.DestroyPipelineCache(device, createdCache_, nullptr);
+}
+
+void Context::checkTargets(const Plan& plan, const Pass& pass) const {
+    const AgaaDrawState& state = pass.draw().state;
+    const auto matches = [&](const MixedSamples& has) {
+        return has.samples == state.samples && has.colors & state.colorSamples;
+    };
+    if (state.colorSamples && std::ranges::none_of(mixedSamples, matches))
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("the pass \"%s\" has %u samples and colour attachments of %u; the device does "
+                    "not combine them with truncated coverage.",
+                    pass.name.c_str(), state.samples, state.colorSamples));
+    for (size_t i = 0; state.additive && i < pass.draw().colorTargets.size(); ++i) {
+        const Resource& target = plan.resources[pass.draw().colorTargets[i]];
+        VkFormatProperties properties{};
+        instanceFunctions.GetPhysicalDeviceFormatProperties(physicalDevice, vkFormat(target.format), &properties);
+        if (!(properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
+            fail(AGAA_ERROR_UNSUPPORTED,
+                 format("the device does not blend %s (%s).", target.name.c_str(), formatName(target.format)));
+    }
 }
 
 void Context::name(VkObjectType type, uint64_t handle, const std::string& text) const {

@@ -4,10 +4,22 @@
 #include "core/abi/handles.h"
 #include "core/glsl/compile_glsl.h"
 #include "core/glsl/host_glsl.h"
+#include "core/plan/plan.h"
 #include "vk/device_table.h"
+
+#include <vector>
 
 namespace agaa::vk {
 
+// Numbers of samples that one rendering can have.
+struct MixedSamples {
+    uint32_t samples;          // of rasterisation and depth
+    VkSampleCountFlags colors; // of colour attachments
+};
+// Returns the combinations with which a colour sample is written if the rasterisation sample of the same index is
+// covered (VK_COVERAGE_REDUCTION_MODE_TRUNCATE_NV). It returns none if the instance lacks
+// VK_NV_coverage_reduction_mode.
+std::vector<MixedSamples> truncatedSamples(const InstanceTable& functions, VkPhysicalDevice device);
 AgaaDeviceCaps queryCaps(const InstanceTable& functions, VkPhysicalDevice device);
 
 class Context : public AgaaContext_T {
@@ -16,6 +28,9 @@ public:
             const std::optional<AgaaVkAllocator>& allocatorOfHost);
     ~Context() override;
 
+    // Throws AGAA_ERROR_UNSUPPORTED if the targets of a draw have numbers of samples that the device cannot combine, or
+    // formats that it cannot blend although the draw blends.
+    void checkTargets(const Plan& plan, const Pass& pass) const;
     void name(VkObjectType type, uint64_t handle, const std::string& text) const;
 
     InstanceTable instanceFunctions;
@@ -32,7 +47,8 @@ public:
     VkPipelineCache pipelineCache;             // of the host, or createdCache_
     std::optional<AgaaVkAllocator> hostMemory; // nullopt: vkAllocateMemory
     VkPhysicalDeviceMemoryProperties memory{};
-    uint32_t maxStorageImages = 0; // of a shader stage
+    std::vector<MixedSamples> mixedSamples; // with AGAA_DEVICE_NV_MIXED_SAMPLES
+    uint32_t maxStorageImages = 0;          // of a shader stage
     VkDeviceSize maxAllocation = 0;
     VkDeviceSize granularity = 1; // bytes, bufferImageGranularity
     float timestampPeriod = 0;    // nanoseconds per tick

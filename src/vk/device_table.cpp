@@ -14,6 +14,8 @@ InstanceTable loadInstanceTable(AgaaVkGetInstanceProcAddr getProcAddr, VkInstanc
 #define AGAA_VK_LOAD(name) load(table.name, "vk" #name);
     AGAA_VK_INSTANCE_FUNCTIONS(AGAA_VK_LOAD)
 #undef AGAA_VK_LOAD
+    table.getProcAddr = getProcAddr;
+    table.instance = instance;
     return table;
 }
 

@@ -74,6 +74,9 @@ namespace agaa::vk {
 struct InstanceTable {
 #define AGAA_VK_MEMBER(name) PFN_vk##name name = nullptr;
     AGAA_VK_INSTANCE_FUNCTIONS(AGAA_VK_MEMBER)
+    // Functions of device extensions are loaded where a device has the extension.
+    AgaaVkGetInstanceProcAddr getProcAddr = nullptr;
+    VkInstance instance = VK_NULL_HANDLE;
 };
 
 struct DeviceTable {

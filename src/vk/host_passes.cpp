@@ -181,6 +181,15 @@ void beginSecondary(const Context& context, const Pass& pass, const HostPass& ho
     rendering.depthAttachmentFormat = depth;
     rendering.stencilAttachmentFormat = hasStencil(hostPass.depthFormat) ? depth : VK_FORMAT_UNDEFINED;
     rendering.rasterizationSamples = VkSampleCountFlagBits(pass.draw().state.samples);
+    const std::vector<VkSampleCountFlagBits> colorSamples(colors.size(),
+                                                          VkSampleCountFlagBits(pass.draw().state.colorSamples));
+    VkAttachmentSampleCountInfoNV mixed{};
+    mixed.sType = VK_STRUCTURE_TYPE_ATTACHMENT_SAMPLE_COUNT_INFO_NV;
+    mixed.colorAttachmentCount = uint32_t(colorSamples.size());
+    mixed.pColorAttachmentSamples = colorSamples.data();
+    mixed.depthStencilAttachmentSamples = rendering.rasterizationSamples;
+    if (pass.draw().state.colorSamples)
+        rendering.pNext = &mixed;
     VkCommandBufferInheritanceInfo inheritance{};
     inheritance.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO;
     inheritance.pNext = target.renderPass ? nullptr : &rendering;

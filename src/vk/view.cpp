@@ -17,6 +17,9 @@ View::View(Context& device, const ViewSettings& settings)
 
 View::View(Context& device, Plan framePlan) : ViewState(device, std::move(framePlan)), context(device) {
     positions = samplePositions(plan.view);
+    for (const Pass& pass : plan.passes)
+        if (pass.kind() == PassKind::HostDraw)
+            context.checkTargets(plan, pass);
     try {
         resources.emplace(context, plan);
         hostPasses = makeHostPasses(plan, context.dialect);

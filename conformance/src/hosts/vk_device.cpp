@@ -275,6 +275,8 @@ void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
     enableAvailable(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME, interlock);
     attachmentOrder.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
     enableAvailable(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME, attachmentOrder);
+    coverageReduction.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_COVERAGE_REDUCTION_MODE_FEATURES_NV;
+    enableAvailable(VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME, coverageReduction);
 }
 
 } // namespace agaa::conformance

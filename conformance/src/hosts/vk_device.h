@@ -43,6 +43,7 @@ public:
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering{};          // chained if it is used
     VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock{};                  // chained if it is used
     VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT attachmentOrder{}; // chained if it is used
+    VkPhysicalDeviceCoverageReductionModeFeaturesNV coverageReduction{};             // the same
     std::vector<const char*> enabledExtensions;
     std::string deviceName, driverName;
     Messages messages;

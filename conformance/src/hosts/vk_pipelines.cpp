@@ -39,9 +39,10 @@ VkPipelineDepthStencilStateCreateInfo depthStencilState(const AgaaDrawState& sta
 VkPipelineColorBlendAttachmentState blendState(const AgaaDrawState& state, bool blends) {
     VkPipelineColorBlendAttachmentState blend{};
     blend.colorWriteMask = state.colorWriteMask;
-    blend.blendEnable = state.keepFirst || blends;
-    blend.srcColorBlendFactor = blend.srcAlphaBlendFactor =
-        blends ? VK_BLEND_FACTOR_SRC_ALPHA : VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
+    blend.blendEnable = state.keepFirst || state.additive || blends;
+    blend.srcColorBlendFactor = blend.srcAlphaBlendFactor = blends           ? VK_BLEND_FACTOR_SRC_ALPHA
+                                                            : state.additive ? VK_BLEND_FACTOR_ONE
+                                                                             : VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
     blend.dstColorBlendFactor = blend.dstAlphaBlendFactor =
         blends ? VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
     return blend;
@@ -160,9 +161,11 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
              pulls ? std::string(pass.glslExtensions) + pass.glslVertex + pullingShader : vertexShader);
     if (pass.glslGeometry)
         addStage(VK_SHADER_STAGE_GEOMETRY_BIT, std::string(pass.glslExtensions) + pass.glslGeometry + geometryShader);
-    addStage(VK_SHADER_STAGE_FRAGMENT_BIT, std::string(pass.glslExtensions) +
-                                               (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") +
-                                               pass.glslDeclarations + fragmentShader);
+    std::string fragment = std::string(pass.glslExtensions) + (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") +
+                           pass.glslDeclarations + fragmentShader;
+    if (mistakes_.changeFragmentShader)
+        mistakes_.changeFragmentShader(fragment);
+    addStage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment);
     VkVertexInputBindingDescription binding = {0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
     std::vector<VkVertexInputAttributeDescription> inputs;
     for (const Attribute& attribute : attributes)
@@ -193,6 +196,19 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
     multisample.rasterizationSamples = VkSampleCountFlagBits(state.samples);
     multisample.sampleShadingEnable = state.sampleShading != 0;
     multisample.minSampleShading = 1.0f;
+    // Coverage modulation is off by default.
+    VkPipelineCoverageReductionStateCreateInfoNV reduction{};
+    reduction.sType = VK_STRUCTURE_TYPE_PIPELINE_COVERAGE_REDUCTION_STATE_CREATE_INFO_NV;
+    reduction.coverageReductionMode = VK_COVERAGE_REDUCTION_MODE_TRUNCATE_NV;
+    const std::vector<VkSampleCountFlagBits> colorSamples(state.colorAttachmentCount,
+                                                          VkSampleCountFlagBits(state.colorSamples));
+    VkAttachmentSampleCountInfoNV mixed{};
+    mixed.sType = VK_STRUCTURE_TYPE_ATTACHMENT_SAMPLE_COUNT_INFO_NV;
+    mixed.colorAttachmentCount = state.colorAttachmentCount;
+    mixed.pColorAttachmentSamples = colorSamples.data();
+    mixed.depthStencilAttachmentSamples = multisample.rasterizationSamples;
+    if (state.colorSamples)
+        multisample.pNext = &reduction;
     const VkPipelineDepthStencilStateCreateInfo depthStencil = depthStencilState(state, isMasked);
     const std::vector<VkPipelineColorBlendAttachmentState> targets(state.colorAttachmentCount,
                                                                    blendState(state, mistakes_.blends));
@@ -207,7 +223,9 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
     dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
     dynamic.dynamicStateCount = 2;
     dynamic.pDynamicStates = dynamics;
-    const VkPipelineRenderingCreateInfo rendering = renderingState(state, native);
+    VkPipelineRenderingCreateInfo rendering = renderingState(state, native);
+    if (state.colorSamples)
+        rendering.pNext = &mixed;
     VkGraphicsPipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
     info.pNext = native.renderPass ? nullptr : &rendering;

@@ -213,6 +213,7 @@ void Device::createDevice(const RendererOptions& options) {
         has.conditionalRendering |= is(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
         has.interlock |= is(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME);
         has.attachmentOrder |= is(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME);
+        has.coverageReduction |= is(VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME);
     }
 
     FeatureChain supported(apiVersion_, has);

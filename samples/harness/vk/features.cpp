@@ -11,6 +11,7 @@ FeatureChain::FeatureChain(uint32_t apiVersion, const Extensions& has) {
     synchronization2_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES;
     conditionalRendering_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
     interlock_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT;
+    coverageReduction_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_COVERAGE_REDUCTION_MODE_FEATURES_NV;
     attachmentOrder_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
     core_.pNext = &v11_;
     v11_.pNext = &v12_;
@@ -33,6 +34,8 @@ FeatureChain::FeatureChain(uint32_t apiVersion, const Extensions& has) {
         append(interlock_);
     if (has.attachmentOrder)
         append(attachmentOrder_);
+    if (has.coverageReduction)
+        append(coverageReduction_);
 }
 
 void FeatureChain::query(VkPhysicalDevice device) { vkGetPhysicalDeviceFeatures2(device, &core_); }
@@ -90,6 +93,7 @@ const VkBool32* FeatureChain::find(std::string_view name) const {
     FEATURE(conditionalRendering_, conditionalRendering); // not set if it is not in the chain
     FEATURE(interlock_, fragmentShaderPixelInterlock);
     FEATURE(attachmentOrder_, rasterizationOrderColorAttachmentAccess);
+    FEATURE(coverageReduction_, coverageReductionMode);
     if (hasV13_) {
         FEATURE(v13_, dynamicRendering);
         FEATURE(v13_, synchronization2);

@@ -13,7 +13,7 @@ public:
     // Flags of enabled extensions. The first two matter only for versions before the one that made them core.
     struct Extensions {
         bool dynamicRendering = false, synchronization2 = false, conditionalRendering = false, interlock = false,
-             attachmentOrder = false;
+             attachmentOrder = false, coverageReduction = false;
     };
     FeatureChain(uint32_t apiVersion, const Extensions& has);
     FeatureChain(const FeatureChain&) = delete;
@@ -38,6 +38,7 @@ private:
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering_{};
     VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock_{};
     VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT attachmentOrder_{};
+    VkPhysicalDeviceCoverageReductionModeFeaturesNV coverageReduction_{};
     bool hasV13_ = false;
 };
 

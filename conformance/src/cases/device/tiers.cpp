@@ -38,6 +38,10 @@ std::string expectNotCreated(Test& test, ScopedContext& context, const ViewParts
 
 void testMixedSamples(Test& test) {
     ScopedContext context(test);
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "the capabilities of the context");
+    if (caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES)
+        test.skip("the device has AGAA_DEVICE_NV_MIXED_SAMPLES.");
     ViewParts parts(test.sdk, &test.device());
     parts.config.generationTier = AGAA_TIER_NV_MIXED_SAMPLES;
     expectNotCreated(test, context, parts, "generationTier = AGAA_TIER_NV_MIXED_SAMPLES");

@@ -1,5 +1,7 @@
 #include "vk_interposer.h"
 
+#include <algorithm>
+#include <cstring>
 #include <mutex>
 
 namespace agaa::conformance {
@@ -155,6 +157,43 @@ VKAPI_ATTR VkResult VKAPI_CALL formats2(VkPhysicalDevice device, const VkPhysica
     return lacksFormats() ? VK_ERROR_FORMAT_NOT_SUPPORTED : realFormats2(device, info, out);
 }
 
+PFN_vkEnumerateDeviceExtensionProperties realExtensions = nullptr;
+VKAPI_ATTR VkResult VKAPI_CALL extensions(VkPhysicalDevice device, const char* layer, uint32_t* count,
+                                          VkExtensionProperties* out) {
+    VkResult error;
+    if (failsNow("vkEnumerateDeviceExtensionProperties", error))
+        return error;
+    const uint32_t room = *count;
+    const VkResult result = realExtensions(device, layer, count, out);
+    if (!VulkanInterposer::current || layer || result != VK_SUCCESS)
+        return result;
+    for (const char* name : VulkanInterposer::current->moreExtensions) {
+        if (out && *count < room) {
+            out[*count] = {};
+            std::strncpy(out[*count].extensionName, name, sizeof out->extensionName - 1);
+        }
+        ++*count;
+    }
+    return result;
+}
+
+PFN_vkGetPhysicalDeviceFeatures2 realFeatures2 = nullptr;
+VKAPI_ATTR void VKAPI_CALL features2(VkPhysicalDevice device, VkPhysicalDeviceFeatures2* out) {
+    realFeatures2(device, out);
+    if (VulkanInterposer::current && VulkanInterposer::current->changeFeatures)
+        VulkanInterposer::current->changeFeatures(*out);
+}
+
+constexpr const char* mixedSamplesCall = "vkGetPhysicalDeviceSupportedFramebufferMixedSamplesCombinationsNV";
+VKAPI_ATTR VkResult VKAPI_CALL mixedSamples(VkPhysicalDevice, uint32_t* count,
+                                            VkFramebufferMixedSamplesCombinationNV* out) {
+    const auto& list = VulkanInterposer::current->mixedSamples;
+    if (out)
+        std::copy_n(list.begin(), std::min<size_t>(*count, list.size()), out);
+    *count = uint32_t(list.size());
+    return VK_SUCCESS;
+}
+
 // ---- by name ---------------------------------------------------------------------------------------
 
 template <class F> PFN_vkVoidFunction replace(F& real, PFN_vkVoidFunction found, F replacement) {
@@ -169,8 +208,14 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDevice(VkDevice device, const char* 
 PFN_vkVoidFunction interpose(const std::string& name, PFN_vkVoidFunction found) {
     if (VulkanInterposer::current && found)
         VulkanInterposer::current->requested.insert(name);
+    if (name == mixedSamplesCall && VulkanInterposer::current && !VulkanInterposer::current->mixedSamples.empty())
+        return reinterpret_cast<PFN_vkVoidFunction>(mixedSamples);
     if (!found || (VulkanInterposer::current && VulkanInterposer::current->missing.count(name)))
         return nullptr;
+    if (name == "vkEnumerateDeviceExtensionProperties")
+        return replace(realExtensions, found, extensions);
+    if (name == "vkGetPhysicalDeviceFeatures2")
+        return replace(realFeatures2, found, features2);
 #define AGAA_CREATE(type)                                                                                              \
     using Create##type = Create<create##type, Vk##type##CreateInfo, Vk##type>;                                         \
     if (name == "vkCreate" #type) {                                                                                    \

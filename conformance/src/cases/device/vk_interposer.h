@@ -6,6 +6,7 @@
 #include <vulkan/vulkan.h>
 
 #include <set>
+#include <vector>
 
 namespace agaa::conformance {
 
@@ -28,6 +29,10 @@ public:
     std::function<void(VkPhysicalDeviceProperties&)> changeProperties;
     std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // called for each queue family
     std::function<void(VkFormat, VkFormatProperties&)> changeFormat;
+    std::vector<const char*> moreExtensions;                        // that the device lacks and the SDK sees
+    std::function<void(VkPhysicalDeviceFeatures2&)> changeFeatures; // with their chain
+    // vkGetPhysicalDeviceSupportedFramebufferMixedSamplesCombinationsNV returns these, unless the list is empty.
+    std::vector<VkFramebufferMixedSamplesCombinationNV> mixedSamples;
     bool hasImageFormats = true; // false: the device supports images of no format
 
     // Called by the functions that replace Vulkan's.
