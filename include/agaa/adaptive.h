@@ -45,10 +45,11 @@ extern "C" {
  * plane, and their normal counts as perpendicular to all others. Without the flag, edges against the background
  * count by their geometry alone. */
 #define AGAA_ADAPTIVE_BACKGROUND UINT64_C(0x800)
-/* Samples differ by light, too: if their light without shadows, as displayed, differs by more than surfaceMaterial.
- * For highlights and near lights (future work in section 6). A pass before the others estimates it by the library's
- * model; of surfaces without specular light it takes point and spot lights only. ceil(n / 4) * 4 bytes per pixel
- * more. The printed metric does not use it. */
+/* Samples differ by light, too: if the luma of their light without shadows, as displayed, differs by more than
+ * surfaceMaterial. Colours of equal luma do not differ, nor lights whose changes cancel. For highlights and near
+ * lights (future work in section 6). A pass before the others estimates the light of all samples by the library's
+ * model, where materials are specular or point or spot lights reach; shading events do not count the estimates.
+ * ceil(n / 4) * 4 bytes per pixel more. The printed metric does not use it. */
 #define AGAA_ADAPTIVE_LIGHTS UINT64_C(0x1000)
 
 /* Controls which samples "adaptive" shades (Hollaender et al. 2013). Chain it to AgaaConfig. Other techniques check

@@ -202,6 +202,43 @@ TYPED_TEST_P(AdaptiveCases, SamplesDifferByLightIfItIsAsked) {
             }
 }
 
+// Columns of half a pixel are glossy and turned by 4 degrees, which is below the threshold of normals. Only one half of
+// them reflects the sun.
+TYPED_TEST_P(AdaptiveCases, SamplesDifferByHighlights) {
+    constexpr uint64_t lights = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_LIGHTS;
+    std::vector<Triangle> panel;
+    for (int column = 0; column < 2 * 48; ++column) {
+        Material m = facing({0.2f, 0.2f, 0.2f});
+        m.specular = glm::vec4(0.5f);
+        const float turn = column % 2 ? 0.07f : 0;
+        m.normal = glm::vec4(std::sin(turn), 0, std::cos(turn), 4e-4f);
+        for (const Triangle& t : rectangle(float(column) / 2, 0, float(column + 1) / 2, 32, 8, m))
+            panel.push_back(t);
+    }
+    AgaaLight sun = AGAA_LIGHT_INIT;
+    sun.type = AGAA_LIGHT_DIRECTIONAL;
+    sun.direction[2] = -1;
+    const auto shown = [&](uint32_t n, uint64_t flags, float memory = 0, float target = 0) {
+        ViewSettings settings = adaptiveSettings(n, flags);
+        settings.config.adaptive.glossWeight = 0;
+        settings.config.adaptive.countMemory = memory;
+        settings.config.adaptive.targetEvents = target;
+        settings.projection = pixelOrthographic(48, 32, 10);
+        return this->render(settings, {.triangles = panel, .lights = {sun}});
+    };
+    for (const uint32_t n : {4u, 9u, 16u}) {
+        const Shown without = shown(n, AGAA_ADAPTIVE_GEOMETRY), with = shown(n, lights);
+        EXPECT_EQ(without.counters.shadingEvents, without.counters.shadedPixels) << n;
+        EXPECT_EQ(with.counters.shadingEvents, 2 * with.counters.shadedPixels) << n;
+        // The light of samples follows other words of the buffer.
+        for (const Shown& other :
+             {shown(n, lights | AGAA_ADAPTIVE_SORTED), shown(n, lights, 0.5f), shown(n, lights, 0, 2)}) {
+            EXPECT_EQ(other.counters.shadingEvents, with.counters.shadingEvents) << n;
+            EXPECT_LE(this->largestDifference(other, with), 1e-6) << n;
+        }
+    }
+}
+
 // Hard case 43: one pixel brighter than all that is displayed raises the numbers of at most five. Columns of a third of
 // a pixel differ by less than the threshold, so that there is something for the lights to show differently.
 TYPED_TEST_P(AdaptiveCases, HardCase43ABrightPixelStaysAlone) {
@@ -405,8 +442,8 @@ TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
 REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem,
                             ByIdsItIsTheSame, WaysToShadeGiveOneImage, HardCase15OnePlaneIsShadedOnce,
                             HardCase43ABrightPixelStaysAlone, TheBackgroundCountsIfItIsAsked,
-                            SamplesDifferByLightIfItIsAsked, HardCase62ColorsOfEqualLumaDiffer, TargetsAreKeptAndUsed,
-                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions,
-                            RememberedNumbersDecay);
+                            SamplesDifferByLightIfItIsAsked, SamplesDifferByHighlights,
+                            HardCase62ColorsOfEqualLumaDiffer, TargetsAreKeptAndUsed, ThePapersMethodIsAMeanOfSamples,
+                            ExtremeScalesStayFinite, EventsAreShownWhateverTheOptions, RememberedNumbersDecay);
 
 } // namespace agaa::test

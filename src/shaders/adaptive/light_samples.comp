@@ -16,29 +16,37 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "adaptive/sample_features.glsl"
 #include "common/tile_pixels.glsl"
 
-// Returns the light of one light of the frame. That of directional lights on surfaces that do not shine differs only
-// where normals or colours do, which are compared on their own.
-vec3 agaa_differingLight(agaa_Surface s, vec3 position, vec3 toEye, bool shines, uint i) {
-    if (!shines && agaa_lightBuffer.lights[i].type == AGAA_LIGHT_DIRECTIONAL)
-        return vec3(0.0);
-    return agaa_oneLight(s, position, toEye, i);
+// Returns whether point or spot lights may reach the pixel. Where they do not, the light of samples that do not shine
+// differs only by normals and colours, which are compared on their own.
+bool agaa_hasLocalLight() {
+    bool any = false;
+    if (AGAA_LIGHT_WORDS == 0u) {
+        for (uint i = 0u; i < agaa_lightBuffer.shadows[0].lightCount; ++i)
+            any = any || agaa_lightBuffer.lights[i].type != AGAA_LIGHT_DIRECTIONAL;
+    } else {
+        for (uint word = 0u; word < AGAA_LIGHT_WORDS; ++word)
+            for (uint left = agaa_lightWord(word); left != 0u; left &= left - 1u)
+                any = any || agaa_lightBuffer.lights[32u * word + uint(findLSB(left))].type != AGAA_LIGHT_DIRECTIONAL;
+    }
+    return any;
 }
 
+// Returns the luma of the light of a sample as displayed, [0, 1].
 float agaa_estimateLight(agaa_Features f) {
     agaa_Surface s = agaa_Surface(f.diffuseAlpha.xyz, f.specular, vec3(0.0), f.normal, 1.0,
                                   f.diffuseAlpha.w * f.diffuseAlpha.w, 0.0, vec3(0.0));
     vec3 toEye = agaa_toEye(f.position);
-    bool shines = AGAA_HAS_SPECULAR != 0u && f.specular != vec3(0.0);
     vec3 sum = vec3(0.0);
     if (AGAA_LIGHT_WORDS == 0u) {
         for (uint i = 0u; i < agaa_lightBuffer.shadows[0].lightCount; ++i)
-            sum += agaa_differingLight(s, f.position, toEye, shines, i);
-        return agaa_displayLuma(sum);
+            sum += agaa_oneLight(s, f.position, toEye, i);
+    } else {
+        for (uint word = 0u; word < AGAA_LIGHT_WORDS; ++word)
+            for (uint left = agaa_lightWord(word); left != 0u; left &= left - 1u)
+                sum += agaa_oneLight(s, f.position, toEye, 32u * word + uint(findLSB(left)));
     }
-    for (uint word = 0u; word < AGAA_LIGHT_WORDS; ++word)
-        for (uint left = agaa_lightWord(word); left != 0u; left &= left - 1u)
-            sum += agaa_differingLight(s, f.position, toEye, shines, 32u * word + uint(findLSB(left)));
-    return agaa_displayLuma(sum);
+    uint bad = 0u;
+    return agaa_displayLuma(agaa_sanitise3(sum, 0.0, AGAA_MAX_HALF, bad));
 }
 
 void agaa_estimatePixel(uvec2 pixel) {
@@ -49,15 +57,17 @@ void agaa_estimatePixel(uvec2 pixel) {
     while (++i < agaa_sampleCount());
     if (bitCount(covered) < 2)
         return;
-    agaa_beginSamples(pixel);
     agaa_lightPixel(pixel);
+    const bool mayDiffer = AGAA_HAS_SPECULAR != 0u || agaa_hasLocalLight();
+    if (mayDiffer)
+        agaa_beginSamples(pixel);
     for (uint map = 0u; map < AGAA_MAX_SHADOW_MAPS; ++map)
         agaa_visibility[map] = 1.0;
     uint word = 0u;
     for (uint k = 0u; k < AGAA_SAMPLES; ++k) {
         agaa_Features f;
-        if ((covered >> k & 1u) != 0u && agaa_readFeatures(pixel, k, f))
-            word |= uint(clamp(agaa_estimateLight(f), 0.0, 1.0) * 255.0 + 0.5) << (8u * (k & 3u));
+        if (mayDiffer && (covered >> k & 1u) != 0u && agaa_readFeatures(pixel, k, f))
+            word |= min(uint(agaa_estimateLight(f) * 255.0 + 0.5), 255u) << (8u * (k & 3u));
         if ((k & 3u) == 3u || k + 1u == AGAA_SAMPLES) {
             agaa_choices.words[agaa_lightAt(pixel, k >> 2u)] = word;
             word = 0u;

@@ -41,11 +41,18 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
     checkReserved(a.reserved, "AgaaAdaptiveSampling::reserved");
 }
 
+bool has(const ViewSettings& view, uint64_t flag) { return view.adaptive.flags & flag; }
+// Returns whether a pass estimates the light of samples, and others read it.
+bool estimatesLight(const ViewSettings& view) {
+    return has(view, AGAA_ADAPTIVE_LIGHTS) && !has(view, AGAA_ADAPTIVE_PRINTED_METRIC) &&
+           has(view, AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING);
+}
+
 // Sets the constants of all passes that are added later.
 void setAdaptiveConstants(PlanBuilder& b) {
     const AgaaAdaptiveSampling& a = b.view().adaptive;
     Constants& c = b.passConstants();
-    c[AGAA_ADAPTIVE_FLAGS] = uint32_t(a.flags);
+    c[AGAA_ADAPTIVE_FLAGS] = uint32_t(estimatesLight(b.view()) ? a.flags : a.flags & ~AGAA_ADAPTIVE_LIGHTS);
     const auto set = [&](Constant constant, float value) {
         c[constant] = value > 0 ? std::bit_cast<uint32_t>(value) : 0;
     };
@@ -62,14 +69,13 @@ void setAdaptiveConstants(PlanBuilder& b) {
         c[AGAA_ORDER0 + j / 4] |= order[j] << 8 * (j % 4);
 }
 
-bool has(const ViewSettings& view, uint64_t flag) { return view.adaptive.flags & flag; }
 bool hasTarget(const ViewSettings& view) { return view.adaptive.targetEvents > 0; }
 
 // Adds the buffer of sums, choices and lists. All passes write to it.
 ResourceId choiceBuffer(PlanBuilder& b) {
     const bool remembers = b.view().adaptive.countMemory > 0;
     const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b.view(), AGAA_ADAPTIVE_SORTED) ? 2 : 0) +
-                           (has(b.view(), AGAA_ADAPTIVE_LIGHTS) ? (b.view().samples + 3) / 4 : 0);
+                           (estimatesLight(b.view()) ? (b.view().samples + 3) / 4 : 0);
     const ResourceId choices = b.pixelBuffer("sample-choices", 4 * words);
     Resource& buffer = b.plan.resources[choices];
     buffer.bytes = checkedAdd(buffer.bytes, 4 * AGAA_SUM_WORDS);
@@ -219,7 +225,7 @@ void build(PlanBuilder& b) {
     b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fill().bytes = 4 * AGAA_SUM_WORDS;
     const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = countingPass(b.view());
     b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
-    if (has(b.view(), AGAA_ADAPTIVE_LIGHTS))
+    if (estimatesLight(b.view()))
         addLightEstimate(b, a);
     if (hasTarget(b.view()))
         addLimit(b, a);
