@@ -75,13 +75,40 @@ TEST(PlaneClustering, ClassesOfOnePlaneStayApart) {
                 ASSERT_EQ(three.ids[a] == three.ids[b], a % 3 == b % 3);
         // Two samples have the third class; they join.
         ASSERT_EQ(two.state->agaa_joiningSamples, run(pixel.samples, 2, false, true).state->agaa_joiningSamples);
+        ASSERT_EQ(std::popcount(two.state->agaa_joiningSamples), 2);
+        ASSERT_EQ(three.state->agaa_joiningSamples, 0u);
     }
 }
 
+// A slanted plane that is wider than aggregates may be is divided like its samples.
+TEST(PlaneClustering, WidePlanesAreDividedAsSamples) {
+    Random random(505);
+    size_t divided = 0;
+    for (int i = 0; i < 2000; ++i) {
+        Pixel pixel = pixelOfPlanes(random, 16, 1);
+        const glm::vec3 normal = pixel.samples[0].normal, along = glm::normalize(glm::vec3(normal.z, 0, -normal.x));
+        for (Sample& s : pixel.samples) {
+            s.position = glm::vec3(0, 0, -5) + along * float(random.range(-0.2, 0.2));
+            s.keyA = std::bit_cast<unsigned>(s.position.z);
+        }
+        const auto samples = run(pixel.samples, 4, false), planes = run(pixel.samples, 4, true);
+        ASSERT_EQ(planes.count > 1, samples.count > 1);
+        divided += samples.count > 1;
+    }
+    EXPECT_GT(divided, 1500u);
+}
+
+// Also where samples are on one plane with the next, but not with the one after it.
 TEST(PlaneClustering, TheOrderOfSamplesChangesNothing) {
     Random random(504);
-    for (int i = 0; i < 2000; ++i) {
-        const Pixel pixel = pixelOfPlanes(random, 16, 3);
+    for (int i = 0; i < 4000; ++i) {
+        Pixel pixel = pixelOfPlanes(random, 16, 3);
+        if (i % 2)
+            for (Sample& s : pixel.samples) {
+                s.position.z += float(random.range(0, 0.02));
+                s.depthStep = 0.002f;
+                s.keyA = std::bit_cast<unsigned>(s.position.z);
+            }
         std::vector<unsigned> order(16);
         for (unsigned s = 0; s < 16; ++s)
             order[s] = s;

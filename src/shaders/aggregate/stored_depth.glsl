@@ -15,7 +15,7 @@ agaa_StoredDepth agaa_depthOfAggregate(uint count) {
                             agaa_isOrthographic());
 }
 
-// Does the same as agaa_locateAggregate().
+// Does the same as agaa_locateAggregate(), without the correlation of depth with places in the pixel.
 vec3 agaa_locateByMoments(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
     agaa_setEvent(pixel, uvec4(mask, 0u, 0u, 0u));

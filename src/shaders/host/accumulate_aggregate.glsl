@@ -47,7 +47,7 @@ void agaa_addDepths(uint at, uint samples, vec2 slope) {
     for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
         float depth = gl_FragCoord.z;
 #if AGAA_HW_SAMPLES > 1 && !AGAA_PER_SAMPLE // otherwise it is the sample's
-        depth += dot(slope, agaa_sampleOffset(uint(findLSB(rest)) - agaa_hostGroup() * AGAA_HW_SAMPLES));
+        depth = agaa_depthAtSample(uint(findLSB(rest)) - agaa_hostGroup() * AGAA_HW_SAMPLES, slope);
 #endif
         uint code = agaa_depthCode(depth, agaa_frame.projection22, agaa_frame.projection32,
                                    agaa_frame.isOrthographic);

@@ -44,7 +44,7 @@ void agaa_setFragmentFootprint(uint covered, vec2 slope) {
     agaa_beginFootprint();
     for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
         vec2 offset = agaa_sampleOffset(uint(findLSB(rest)));
-        float depth = clamp(gl_FragCoord.z + dot(slope, offset), 0.0, 1.0);
+        float depth = agaa_depthAtSample(uint(findLSB(rest)), slope);
         float z = agaa_viewZFromDepth(depth, agaa_frame.projection22, agaa_frame.projection32,
                                       agaa_isOrthographic());
         vec3 at = agaa_viewPosition((centre + offset) * perTexel - 1.0, z, agaa_frame.projectionScale.x,

@@ -133,6 +133,12 @@ vec2 agaa_sampleOffset(uint i) {
     return position * vec2(AGAA_SCALE_X, AGAA_SCALE_Y) - vec2(texel) - 0.5;
 }
 
+// Returns the depth of the fragment's plane at a sample of its texel.
+// slope   Change of depth per texel.
+float agaa_depthAtSample(uint i, vec2 slope) {
+    return clamp(gl_FragCoord.z + dot(slope, agaa_sampleOffset(i)), 0.0, 1.0);
+}
+
 // Gradient of each pixel, where a driver would otherwise use one per quad.
 #if __VERSION__ >= 450
 #define AGAA_FINE_GRADIENT(v) vec2(dFdxFine(v), dFdyFine(v))

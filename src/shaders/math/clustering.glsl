@@ -388,53 +388,73 @@ bool agaa_mayExceed(real cornerDistance, uint threshold) {
 // depth buffer: a plane for each primitive).
 #define AGAA_MAX_PLANES 4u
 uint agaa_planeSamples[AGAA_MAX_PLANES];
+uint agaa_planeFounder[AGAA_MAX_PLANES]; // its first sample by content
 
-// Returns whether sample i is on the plane of sample p, within the steps of both depths, and has its class.
-bool agaa_isOnPlaneOf(uint p, uint i) {
+// Returns whether sample i is on the plane of sample p, within the steps of both depths, has its class, and is so near
+// that it would found no aggregate of its own. Normals need not have unit length.
+bool agaa_isOnPlaneOf(uint p, uint i, agaa_Lengths lengths, uint threshold) {
     const rvec3 normal = agaa_sampleNormal[p];
+    const rvec3 between = agaa_samplePosition[i] - agaa_samplePosition[p];
     const bool isOneClass = !AGAA_CLASSES || agaa_classOfKey(agaa_sampleKeyB[p]) == agaa_classOfKey(agaa_sampleKeyB[i]);
     return isOneClass && normal == agaa_sampleNormal[i] &&
-           abs(dot(normal, agaa_samplePosition[i] - agaa_samplePosition[p])) <=
-               agaa_sampleStep[p] + agaa_sampleStep[i];
+           abs(dot(normal, between)) <= (agaa_sampleStep[p] + agaa_sampleStep[i]) * sqrt(dot(normal, normal)) &&
+           agaa_quantiseDistance(agaa_pairDistance(p, i, lengths)) <= threshold;
 }
 
-// Finds the planes of samples and puts a sample of each, the first by content, at the index of its plane. Returns the
-// number of planes, or 0 and moves nothing if there are more than `limit`.
-uint agaa_gatherPlanes(uint n, uint covered, uint limit) {
-    uint first[AGAA_MAX_PLANES];
+// Finds the planes of samples, in the order of content. Returns their number, or 0 if there are more than `limit`.
+uint agaa_findPlanes(uint n, uint covered, uint limit, agaa_Lengths lengths, uint threshold) {
     uint planes = 0u;
     uint left = covered;
     do {
-        const uint p = uint(findLSB(left));
-        agaa_Farthest best = agaa_noneYet();
+        agaa_Farthest first = agaa_noneYet();
+        for (uint i = 0u; i < n; ++i) {
+            if (agaa_sampleIsCovered(left, i)) {
+                agaa_compare(first, i, 0u);
+            }
+        }
+        const uint p = first.content.sample_;
         uint onPlane = 0u;
-        for (uint i = p; i < n; ++i) {
-            if (agaa_sampleIsCovered(left, i) && agaa_isOnPlaneOf(p, i)) {
+        for (uint i = 0u; i < n; ++i) {
+            if (agaa_sampleIsCovered(left, i) && agaa_isOnPlaneOf(p, i, lengths, threshold)) {
                 onPlane = onPlane | (1u << i);
-                agaa_compare(best, i, 0u);
             }
         }
         agaa_planeSamples[planes] = onPlane;
-        first[planes] = best.content.sample_;
+        agaa_planeFounder[planes] = p;
         left = left & ~onPlane;
         planes += 1u;
     } while (left != 0u && planes < min(limit, AGAA_MAX_PLANES));
-    if (left != 0u) {
-        planes = 0u;
-    }
-    // Planes are in the order of their lowest samples. So the sample at index p is on plane p or an earlier one, whose
-    // first sample has been copied.
+    return left != 0u ? 0u : planes;
+}
+
+struct agaa_ClusteredSample {
+    rvec3 position;
+    rvec3 normal;
+    real depthStep;
+    uint keyA;
+    uint keyB;
+};
+
+agaa_ClusteredSample agaa_clusteredSample(uint i) {
+    agaa_ClusteredSample s;
+    s.position = agaa_samplePosition[i];
+    s.normal = agaa_sampleNormal[i];
+    s.depthStep = agaa_sampleStep[i];
+    s.keyA = agaa_sampleKeyA[i];
+    s.keyB = agaa_sampleKeyB[i];
+    return s;
+}
+
+// Puts the first sample of each plane at the index of the plane. All are read before one is written. Returns the number
+// of planes, or 0 and moves nothing if there are more than `limit`.
+uint agaa_gatherPlanes(uint n, uint covered, uint limit, agaa_Lengths lengths, uint threshold) {
+    const uint planes = agaa_findPlanes(n, covered, limit, lengths, threshold);
+    agaa_ClusteredSample first[AGAA_MAX_PLANES];
     for (uint p = 0u; p < planes; ++p) {
-        const uint from = first[p];
-        agaa_samplePosition[p] = agaa_samplePosition[from];
-        agaa_sampleNormal[p] = agaa_sampleNormal[from];
-        agaa_sampleKeyA[p] = agaa_sampleKeyA[from];
-        uint keyB = agaa_sampleKeyB[from];
-        if (AGAA_CLASSES) {
-            keyB = (keyB & 0xFF00FFFFu) | uint(bitCount(agaa_planeSamples[p])) << 16u;
-        }
-        agaa_sampleKeyB[p] = keyB;
-        agaa_sampleStep[p] = agaa_sampleStep[from];
+        first[p] = agaa_clusteredSample(agaa_planeFounder[p]);
+    }
+    for (uint p = 0u; p < planes; ++p) {
+        agaa_setSample(p, first[p].position, first[p].normal, first[p].depthStep, first[p].keyA, first[p].keyB);
     }
     return planes;
 }
@@ -442,12 +462,9 @@ uint agaa_gatherPlanes(uint n, uint covered, uint limit) {
 // Gives the samples of planes the aggregates of their planes.
 void agaa_scatterPlanes(uint n, uint planes) {
     uint aggregates[AGAA_MAX_PLANES];
-    uint joining = 0u;
     for (uint p = 0u; p < planes; ++p) {
         aggregates[p] = agaa_sampleAggregate[p];
-        joining = joining | (agaa_sampleIsCovered(agaa_joiningSamples, p) ? agaa_planeSamples[p] : 0u);
     }
-    agaa_joiningSamples = joining;
     for (uint i = 0u; i < n; ++i) {
         uint id = 0u;
         for (uint p = 0u; p < planes; ++p) {
@@ -508,11 +525,12 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
             const rvec3 size = highest - lowest;
             const real extent = max(size.x, max(size.y, size.z));
             const agaa_SampleMean mean = agaa_meanOfSamples(samples, present, lowest, extent);
-            const uint planes = AGAA_PLANES ? agaa_gatherPlanes(samples, present, limit) : 0u;
+            const uint planes =
+                AGAA_PLANES ? agaa_gatherPlanes(samples, present, limit, lengths, threshold) : 0u;
             const uint count = planes != 0u ? planes : samples;
             const uint members = planes != 0u ? (1u << planes) - 1u : present;
-            if (!isOneClass) {
-                agaa_joiningSamples = agaa_findJoining(count, members, limit);
+            if (!isOneClass && planes == 0u) { // planes have one class each, and there are no more than aggregates
+                agaa_joiningSamples = agaa_findJoining(samples, present, limit);
             }
             // All distances to the average use one length, that of the coarsest step.
             uint seed = agaa_firstSeed(count, members, mean, lowest, agaa_pairInverseK2(lengths, coarsest, coarsest));
