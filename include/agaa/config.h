@@ -145,8 +145,12 @@ typedef enum AgaaTier {
     AGAA_TIER_ORDERED_GRID = 5,  /* 4, 9 or 16 samples: 2x2, 3x3 or 4x4 texels of one sample each */
     /* generation */
     AGAA_TIER_NV_MIXED_SAMPLES = 16,   /* the paper's method: additive blending into colour attachments with a sample
-                                          for each aggregate. Requires AGAA_DEVICE_NV_MIXED_SAMPLES and the device's
-                                          own n samples. Not yet run on a device, so AUTO does not select it. For "sbaa"
+                                          for each aggregate. Requires AGAA_DEVICE_NV_MIXED_SAMPLES, the device's own
+                                          n samples, AGAA_DEVICE_POST_DEPTH_COVERAGE for n > 1, a format of depth and
+                                          stencil (AGAA_DEVICE_D32S8, or D24S8 if depth is not reversed) without
+                                          AGAA_MEASURE_NO_STENCIL, attributes that are filtered, round lobes, and at
+                                          most 8 attachments that the device blends (AGAA_ERROR_UNSUPPORTED). Not yet
+                                          run on a device, so AUTO does not select it. For "sbaa"
                                           it is the papers' memory: agaaQueryMemory and agaaPlanToJson accept it,
                                           agaa…CreateView fails with AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* coverage after the depth test, integer atomics */
@@ -416,12 +420,13 @@ typedef enum AgaaLanes {
 #define AGAA_MEASURE_SHADOW_COVARIANCE UINT64_C(0x80)
 /* AGAA 3.5.3: fragments sum moments of depth in the aggregates, 16 bytes each. Shading reads these in place of the
  * samples' depths: an aggregate is at their mean, and shadow taps lie along the view ray as with SHADOW_ALONG_DEPTH,
- * unless NO_SHADOW_FILTER is set. Requires "agaa" by the tier POST_DEPTH_ATOMICS or PER_SAMPLE
- * (AGAA_ERROR_UNSUPPORTED). Excludes SHADOW_COVARIANCE (AGAA_ERROR_INVALID_ARGUMENT). */
+ * unless NO_SHADOW_FILTER is set. Steps are 1e-5 of the distance, or 2.4e-7 of the range of an orthographic view.
+ * Requires "agaa" by the tier POST_DEPTH_ATOMICS or PER_SAMPLE (AGAA_ERROR_UNSUPPORTED). Excludes SHADOW_COVARIANCE
+ * (AGAA_ERROR_INVALID_ARGUMENT). */
 #define AGAA_MEASURE_STORED_DEPTH UINT64_C(0x100)
 /* AGAA 4.1: where a pixel shows no more planes than it may have aggregates, planes are grouped in place of samples. The
- * samples of a plane have one normal, as stored, and are within the steps of their depths. Lanes of single samples
- * group samples. */
+ * samples of a plane have one normal, as they are grouped by, are within the steps of their depths, and nearer to one
+ * of them than other aggregates may be. Lanes of single samples group samples. */
 #define AGAA_MEASURE_DEPTH_PLANES UINT64_C(0x200)
 /* AGAA 3.5.2: point and spot lights widen the lobes of aggregates by the variance of their directions over the
  * positions of the samples. Other techniques widen those of events that stand for several samples. */

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
+#include <string_view>
 #include <vector>
 
 namespace agaa::vk {
@@ -185,14 +187,16 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     set(rendersAndSamples(vk, device, VK_FORMAT_D24_UNORM_S8_UINT), AGAA_DEVICE_D24S8);
     set(rendersAndSamples(vk, device, VK_FORMAT_D32_SFLOAT_S8_UINT), AGAA_DEVICE_D32S8);
     set(properties.properties.apiVersion >= VK_API_VERSION_1_3, AGAA_DEVICE_DYNAMIC_RENDERING);
-    uint32_t mixedSampleExtensions = 0;
+    std::set<std::string_view> mixedSamples; // extensions
     bool controlsSubgroups = properties.properties.apiVersion >= VK_API_VERSION_1_3;
-    for (const VkExtensionProperties& extension : deviceExtensions(vk, device)) {
+    const std::vector<VkExtensionProperties> extensions = deviceExtensions(vk, device);
+    for (const VkExtensionProperties& extension : extensions) {
         const std::string_view name = extension.extensionName;
         controlsSubgroups |= name == VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME;
-        mixedSampleExtensions += name == VK_NV_FRAMEBUFFER_MIXED_SAMPLES_EXTENSION_NAME ||
-                                 name == VK_NV_SAMPLE_MASK_OVERRIDE_COVERAGE_EXTENSION_NAME ||
-                                 name == VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME;
+        if (name == VK_NV_FRAMEBUFFER_MIXED_SAMPLES_EXTENSION_NAME ||
+            name == VK_NV_SAMPLE_MASK_OVERRIDE_COVERAGE_EXTENSION_NAME ||
+            name == VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME)
+            mixedSamples.insert(name);
         set(name == VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME, AGAA_DEVICE_POST_DEPTH_COVERAGE);
         set(name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, AGAA_DEVICE_DYNAMIC_RENDERING);
         set(name == VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME && rendersConditionally(vk, device),
@@ -203,7 +207,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
                 ordersColorAccess(vk, device, limits),
             AGAA_DEVICE_FRAMEBUFFER_FETCH);
     }
-    set(mixedSampleExtensions == 3 && reducesCoverage(vk, device), AGAA_DEVICE_NV_MIXED_SAMPLES);
+    set(mixedSamples.size() == 3 && reducesCoverage(vk, device), AGAA_DEVICE_NV_MIXED_SAMPLES);
     if (controlsSubgroups)
         caps.subgroupSize = fullSubgroupSize(vk, device);
     VkSampleCountFlags counts = usableSamples(vk, device, limits, VK_FORMAT_D32_SFLOAT);

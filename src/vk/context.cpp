@@ -137,6 +137,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc,
     timestampPeriod = limits.timestampPeriod;
     granularity = limits.bufferImageGranularity;
     maxStorageImages = limits.maxPerStageDescriptorStorageImages;
+    maxColorAttachments = limits.maxColorAttachments;
     if (!limits.standardSampleLocations)
         log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
                   "the device does not rasterise at the standard sample locations; positions of "
@@ -190,6 +191,9 @@ void Context::checkTargets(const Plan& plan, const Pass& pass) const {
              format("the pass \"%s\" has %u samples and colour attachments of %u; the device does "
                     "not combine them with truncated coverage.",
                     pass.name.c_str(), state.samples, state.colorSamples));
+    if (state.additive && state.colorAttachmentCount > maxColorAttachments)
+        fail(AGAA_ERROR_UNSUPPORTED, format("the pass \"%s\" has %u colour attachments; the device allows %u.",
+                                            pass.name.c_str(), state.colorAttachmentCount, maxColorAttachments));
     for (size_t i = 0; state.additive && i < pass.draw().colorTargets.size(); ++i) {
         const Resource& target = plan.resources[pass.draw().colorTargets[i]];
         VkFormatProperties properties{};

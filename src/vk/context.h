@@ -49,6 +49,7 @@ public:
     VkPhysicalDeviceMemoryProperties memory{};
     std::vector<MixedSamples> mixedSamples; // with AGAA_DEVICE_NV_MIXED_SAMPLES
     uint32_t maxStorageImages = 0;          // of a shader stage
+    uint32_t maxColorAttachments = 0;
     VkDeviceSize maxAllocation = 0;
     VkDeviceSize granularity = 1; // bytes, bufferImageGranularity
     float timestampPeriod = 0;    // nanoseconds per tick

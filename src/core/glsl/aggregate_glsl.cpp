@@ -20,7 +20,7 @@ std::string aggregateGlsl(const Plan& plan) {
     };
     require(shade && isSummed(shade->constants), AGAA_ERROR_UNSUPPORTED,
             "the view leaves no aggregates in memory: it is not of \"agaa\" by two passes, and not of the tiers ids "
-            "or gbuffer with AGAA_CONFIG_BUFFERED.");
+            "or gbuffer with AGAA_CONFIG_BUFFERED; the tier nv-mixed-samples leaves them in attachments.");
     require(!shade->constants[AGAA_PREPASS_NORMALS], AGAA_ERROR_UNSUPPORTED,
             "the aggregates keep no normals, because the view has AGAA_FACT_PLANE_NORMALS and "
             "AGAA_FACT_NO_LOCAL_LIGHTS, and no "

@@ -225,7 +225,8 @@ void addDeviceSamples(std::vector<AgaaCapability>& rows, TechniqueTable table, c
         addGeneration(rows, table, technique, samples,
                       {.caps = caps,
                        .hwSamples = visibility.hwSamples,
-                       .hasScaledTarget = visibility.scaleX * visibility.scaleY > 1});
+                       .hasScaledTarget = visibility.scaleX * visibility.scaleY > 1,
+                       .lacksStencil = !(caps.flags & (AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8))});
     addShading(rows, technique, samples);
 }
 

@@ -3,6 +3,7 @@
 
 #include "cases/core/structs.h"
 #include "cases/core/view_parts.h"
+#include "frame_rig.h"
 
 namespace agaa::conformance {
 
@@ -45,6 +46,30 @@ void testMixedSamples(Test& test) {
     ViewParts parts(test.sdk, &test.device());
     parts.config.generationTier = AGAA_TIER_NV_MIXED_SAMPLES;
     expectNotCreated(test, context, parts, "generationTier = AGAA_TIER_NV_MIXED_SAMPLES");
+}
+
+// The tier sends a fragment to the aggregate of its first sample, as AGAA_MEASURE_FIRST_SAMPLE_ROUTING does.
+void testMixedImage(Test& test) {
+    {
+        ScopedContext context(test);
+        AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+        test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "the capabilities of the context");
+        if (!(caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES))
+            test.skip("the device lacks AGAA_DEVICE_NV_MIXED_SAMPLES.");
+    }
+    for (const uint32_t aggregates : {1u, 2u}) {
+        const auto image = [&](uint32_t tier) {
+            Rig rig(test, [&](ViewDescription& d) {
+                d.setTechnique("agaa", 4);
+                d.config.aggregates = aggregates;
+                d.config.generationTier = tier;
+                d.measurement.flags = AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
+            });
+            return rig.render();
+        };
+        expectAlike(test, image(AGAA_TIER_NV_MIXED_SAMPLES), image(AGAA_TIER_POST_DEPTH_ATOMICS), 0.01f,
+                    "the tier NV_MIXED_SAMPLES against POST_DEPTH_ATOMICS");
+    }
 }
 
 void testSampleCounts(Test& test) {
@@ -92,6 +117,7 @@ void testLightsOfBlocks(Test& test) {
 
 void addTierCases(Suite& suite) {
     suite.both("AGAA_TIER_NV_MIXED_SAMPLES/AGAA_ERROR_UNSUPPORTED", testMixedSamples);
+    suite.both("AGAA_TIER_NV_MIXED_SAMPLES/same_image", testMixedImage);
     suite.both("AgaaDeviceCaps.sampleCounts/AGAA_ERROR_UNSUPPORTED", testSampleCounts);
     suite.add("AgaaSceneFacts.maxLights/AGAA_ERROR_UNSUPPORTED", {Backend::OpenGl}, testLightsOfBlocks);
 }

@@ -51,8 +51,9 @@ Rows deviceRows(const AgaaDeviceCaps& caps, Backend backend) {
             withShadow(p);
             p.shadow.glslExtensions = lines;
         });
-    add("the tier NV_MIXED_SAMPLES", AGAA_ERROR_UNSUPPORTED, "",
-        [](ViewParts& p) { p.config.generationTier = AGAA_TIER_NV_MIXED_SAMPLES; });
+    if (!(caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES))
+        add("the tier NV_MIXED_SAMPLES", AGAA_ERROR_UNSUPPORTED, "",
+            [](ViewParts& p) { p.config.generationTier = AGAA_TIER_NV_MIXED_SAMPLES; });
     if (backend == Backend::Vulkan)
         add("AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE", AGAA_ERROR_UNSUPPORTED, "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE",
             [](ViewParts& p) { p.desc.flags |= AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; });

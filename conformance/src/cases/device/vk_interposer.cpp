@@ -163,18 +163,25 @@ VKAPI_ATTR VkResult VKAPI_CALL extensions(VkPhysicalDevice device, const char* l
     VkResult error;
     if (failsNow("vkEnumerateDeviceExtensionProperties", error))
         return error;
-    const uint32_t room = *count;
-    const VkResult result = realExtensions(device, layer, count, out);
-    if (!VulkanInterposer::current || layer || result != VK_SUCCESS)
+    if (!VulkanInterposer::current || layer)
+        return realExtensions(device, layer, count, out);
+    uint32_t real = 0;
+    VkResult result = realExtensions(device, layer, &real, nullptr);
+    std::vector<VkExtensionProperties> list(real);
+    result = result == VK_SUCCESS ? realExtensions(device, layer, &real, list.data()) : result;
+    if (result != VK_SUCCESS)
         return result;
-    for (const char* name : VulkanInterposer::current->moreExtensions) {
-        if (out && *count < room) {
-            out[*count] = {};
-            std::strncpy(out[*count].extensionName, name, sizeof out->extensionName - 1);
-        }
-        ++*count;
-    }
-    return result;
+    const VulkanInterposer& current = *VulkanInterposer::current;
+    for (const std::vector<const char*>* changed : {&current.moreExtensions, &current.lessExtensions})
+        for (const char* name : *changed)
+            std::erase_if(list, [=](const VkExtensionProperties& p) { return !std::strcmp(p.extensionName, name); });
+    for (const char* name : current.moreExtensions)
+        std::strncpy(list.emplace_back().extensionName, name, VK_MAX_EXTENSION_NAME_SIZE - 1);
+    const uint32_t room = out ? *count : 0;
+    *count = out ? std::min(room, uint32_t(list.size())) : uint32_t(list.size());
+    if (out)
+        std::copy_n(list.begin(), *count, out);
+    return out && room < list.size() ? VK_INCOMPLETE : VK_SUCCESS;
 }
 
 PFN_vkGetPhysicalDeviceFeatures2 realFeatures2 = nullptr;

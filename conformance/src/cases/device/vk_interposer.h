@@ -29,7 +29,8 @@ public:
     std::function<void(VkPhysicalDeviceProperties&)> changeProperties;
     std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // called for each queue family
     std::function<void(VkFormat, VkFormatProperties&)> changeFormat;
-    std::vector<const char*> moreExtensions;                        // that the device lacks and the SDK sees
+    std::vector<const char*> moreExtensions;                        // that the SDK sees, even if the device lacks them
+    std::vector<const char*> lessExtensions;                        // that the SDK does not see
     std::function<void(VkPhysicalDeviceFeatures2&)> changeFeatures; // with their chain
     // vkGetPhysicalDeviceSupportedFramebufferMixedSamplesCombinationsNV returns these, unless the list is empty.
     std::vector<VkFramebufferMixedSamplesCombinationNV> mixedSamples;

@@ -291,13 +291,18 @@ void testBlendedImage(Test& test) {
             inner.sdk.agaaDestroyView(view);
         }
         expectAlike(inner, images[1], images[0], 5e-4f, "the tier NV_MIXED_SAMPLES against POST_DEPTH_ATOMICS");
-        expectSampleMessagesOnly(inner, "a frame with additive blending");
+        expectNoMessages(inner, "a frame with additive blending");
     });
 }
 
 void testUnmixedSamples(Test& test) {
     const std::unique_ptr<Device> device = makeVulkanDevice(test.sdk, test.device().deviceName(), true);
     runOn(test, *device, [&](Test& inner) {
+        AgaaDeviceCaps real = AGAA_DEVICE_CAPS_INIT;
+        ScopedContext own(inner);
+        inner.requireOk(device->getContextCaps(inner.sdk, own.get(), &real), "agaaVkGetContextCaps");
+        if (!(real.flags & AGAA_DEVICE_POST_DEPTH_COVERAGE) || !(real.sampleCounts & 4))
+            inner.skip("the device lacks 4 samples or post-depth coverage.");
         const auto expectNone = [&](const std::string& what, const auto& change) {
             MixedDevice mixed(*device, VK_COVERAGE_REDUCTION_MODE_TRUNCATE_NV);
             change(mixed);
@@ -315,8 +320,11 @@ void testUnmixedSamples(Test& test) {
         for (size_t i = 0; i < 3; ++i) {
             const auto name = [&](MixedDevice& m) { return m.extensions.end() - 1 - std::ptrdiff_t(i); };
             expectNone("the host lacks one of the extensions", [&](MixedDevice& m) { m.extensions.erase(name(m)); });
-            expectNone("the device lacks one of the extensions",
-                       [&](MixedDevice& m) { m.vulkan.moreExtensions.erase(m.vulkan.moreExtensions.begin() + i); });
+            expectNone("the device lacks one of the extensions", [&](MixedDevice& m) {
+                const auto at = m.vulkan.moreExtensions.begin() + std::ptrdiff_t(i);
+                m.vulkan.lessExtensions = {*at};
+                m.vulkan.moreExtensions.erase(at);
+            });
         }
         const auto expectNoView = [&](MixedDevice& mixed, const std::string& what, const std::string& words) {
             ScopedContext context(inner, [&](ContextDescription& d) { mixed.use(d); });
