@@ -196,7 +196,7 @@ void expectOracle(const Case& c, std::vector<Triangle> scene) {
     // The depth of a fragment's plane may have the code beside that of the stored depth.
     const bool rounds = c.flags & AGAA_MEASURE_STORED_DEPTH;
     EXPECT_NEAR(double(counters.shadowTaps), double(oracle.shadowTaps()),
-                rounds ? 2e-3 * double(counters.shadowTaps) : 0);
+                rounds ? 1.5e-3 * double(counters.shadowTaps) : 0);
     std::printf("%s n=%u c=%u: largest relative error %.1e\n", c.technique, c.samples, c.aggregates, worst);
 }
 
@@ -248,7 +248,7 @@ TEST(Shading, AgreesForBothLobesLayoutsAndFilters) {
 // In targets of the device's samples and in scaled ones, of one sample a texel. Codes of depth have steps of 1e-5, and
 // the footprint does not know how depth changes within the pixel.
 TEST(Shading, AgreesForStoredDepths) {
-    constexpr double codes = 3e-4, footprint = 5e-2;
+    constexpr double codes = 2.5e-4, footprint = 3e-2; // measured 1.9e-4 and 2.6e-2
     for (const uint32_t n : {1u, 2u, 4u, 16u, 32u})
         expectOracle(
             {.samples = n, .aggregates = std::min(n, 2u), .flags = AGAA_MEASURE_STORED_DEPTH, .tolerance = codes},
