@@ -10,11 +10,6 @@ namespace agaa::gl {
 
 namespace {
 
-constexpr const char* vertexText = R"(#version 430
-void main() {
-    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
-}
-)";
 // The triangle covers all samples. The texel in column i keeps sample i alone.
 constexpr const char* maskText = R"(#version 430
 layout(location = 0) out vec4 color;
@@ -98,9 +93,9 @@ private:
                                     "\n#define AGAA_COLOR_SAMPLES " + std::to_string(colorSamples) + "\n";
         const std::string reader = defines + readText;
         const char* what = "the probe of colour samples";
-        programs[0] = linkProgram(gl, {{GL_VERTEX_SHADER, vertexText}, {GL_FRAGMENT_SHADER, maskText}}, what,
+        programs[0] = linkProgram(gl, {{GL_VERTEX_SHADER, wholeTargetText}, {GL_FRAGMENT_SHADER, maskText}}, what,
                                   AGAA_ERROR_UNSUPPORTED);
-        programs[1] = linkProgram(gl, {{GL_VERTEX_SHADER, vertexText}, {GL_FRAGMENT_SHADER, reader.c_str()}}, what,
+        programs[1] = linkProgram(gl, {{GL_VERTEX_SHADER, wholeTargetText}, {GL_FRAGMENT_SHADER, reader.c_str()}}, what,
                                   AGAA_ERROR_UNSUPPORTED);
         gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &textures[0]);
         gl.TextureStorage2DMultisample(textures[0], width, GL_DEPTH_COMPONENT32F, width, 1, GL_TRUE);

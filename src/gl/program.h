@@ -16,6 +16,13 @@ struct StageText {
     GLenum stage;
     const char* text;
 };
+// A vertex shader that draws three vertices as a triangle over the whole target.
+inline constexpr const char* wholeTargetText = R"(#version 430
+void main() {
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
+)";
+
 // If OpenGL reports an error, throws its code; otherwise throws `blame` with the compiler's first message. blame: the
 // default is for text of the SDK, which conforming drivers compile. property: one of the program that is set to true,
 // as GL_PROGRAM_SEPARABLE, or 0.

@@ -12,12 +12,7 @@ namespace agaa::gl {
 
 namespace {
 
-// The shaders draw a triangle over the whole target. A compiler cannot shorten the work per fragment.
-constexpr const char* vertexText = R"(#version 430
-void main() {
-    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
-}
-)";
+// A compiler cannot shorten the work per fragment.
 constexpr const char* fragmentText = R"(#version 430
 layout(location = 0) uniform uint rounds;
 layout(location = 0) out vec4 color;
@@ -80,7 +75,7 @@ public:
 
 private:
     void create() {
-        program = linkProgram(gl, {{GL_VERTEX_SHADER, vertexText}, {GL_FRAGMENT_SHADER, fragmentText}},
+        program = linkProgram(gl, {{GL_VERTEX_SHADER, wholeTargetText}, {GL_FRAGMENT_SHADER, fragmentText}},
                               "the timer probe", AGAA_ERROR_UNSUPPORTED);
         gl.CreateTextures(GL_TEXTURE_2D, 1, &target);
         gl.TextureStorage2D(requireObject(gl, target, "glCreateTextures"), 1, GL_RGBA8, side, side);
