@@ -75,16 +75,6 @@ TEST(CoveragePlan, FragmentsCarryMaterialsThatCannotBeFetched) {
     EXPECT_EQ(tierWith(&all, AGAA_TIER_MATERIAL_LISTS), AGAA_TIER_MATERIAL_LISTS);
 }
 
-std::string refusal(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
-    try {
-        planFor(spec, caps);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code, AGAA_ERROR_UNSUPPORTED);
-        return error.message;
-    }
-    return "none";
-}
-
 TEST(CoveragePlan, WhatFragmentsCannotCarryIsRefused) {
     ViewSpec depth = carried();
     depth.facts |= AGAA_FACT_CUSTOM_DEPTH;

@@ -1,6 +1,7 @@
 // The tier nv-mixed-samples of "agaa": its plan, the state that hosts set, its shaders and its refusals. No device of
 // the tests has run it.
 #include "plan_support.h"
+#include "spirv_support.h"
 
 #include "core/base/error.h"
 #include "core/glsl/aggregate_glsl.h"
@@ -8,11 +9,7 @@
 #include "core/glsl/glsl_text.h"
 #include "core/glsl/host_glsl.h"
 
-#include <glslang/Public/ResourceLimits.h>
-#include <glslang/Public/ShaderLang.h>
-#include <glslang/SPIRV/GlslangToSpv.h>
 #include <gtest/gtest.h>
-#include <spirv-tools/libspirv.hpp>
 
 #include <algorithm>
 
@@ -26,12 +23,6 @@ ViewSpec mixedSpec(uint32_t samples = 8, uint32_t aggregates = 2, const char* la
     spec.visibilityTier = AGAA_TIER_NATIVE;
     spec.generationTier = AGAA_TIER_NV_MIXED_SAMPLES;
     return spec;
-}
-
-const Pass& passNamed(const Plan& plan, const char* name) {
-    const auto found = std::ranges::find(plan.passes, name, &Pass::name);
-    EXPECT_NE(found, plan.passes.end()) << name;
-    return *found;
 }
 
 std::vector<Format> formatsOf(const Plan& plan, const DrawPart& draw) {
@@ -135,22 +126,6 @@ TEST(MixedSamples, ChannelsHavePlacesOfTheirOwn) {
         }
 }
 
-std::string refusal(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
-    try {
-        planFor(spec, caps);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code, AGAA_ERROR_UNSUPPORTED) << error.message;
-        return error.message;
-    }
-    return "";
-}
-
-AgaaDeviceCaps without(uint64_t flags) {
-    AgaaDeviceCaps caps = idealDevice();
-    caps.flags &= ~flags;
-    return caps;
-}
-
 // A layout with custom attributes, chained by a view.
 ViewSpec customSpec(uint32_t filter, uint32_t channels, AgaaLayout& layout) {
     EXPECT_EQ(agaaGetBuiltinLayout("paper16", &layout), AGAA_OK);
@@ -227,42 +202,6 @@ protected:
     static void TearDownTestSuite() { glslang::FinalizeProcess(); }
 };
 
-// Returns the SPIR-V and the compiler's messages.
-std::pair<std::vector<uint32_t>, std::string> fragmentSpirv(const std::string& text) {
-    glslang::TShader shader(EShLangFragment);
-    const char* source = text.c_str();
-    shader.setStrings(&source, 1);
-    shader.setEnvInput(glslang::EShSourceGlsl, EShLangFragment, glslang::EShClientVulkan, 100);
-    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
-    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
-    const auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
-    if (!shader.parse(GetDefaultResources(), 450, false, messages))
-        return {{}, shader.getInfoLog()};
-    glslang::TProgram program;
-    program.addShader(&shader);
-    if (!program.link(messages))
-        return {{}, program.getInfoLog()};
-    std::vector<uint32_t> words;
-    glslang::GlslangToSpv(*program.getIntermediate(EShLangFragment), words);
-    return {words, ""};
-}
-
-std::string validate(const std::vector<uint32_t>& words) {
-    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
-    std::string errors;
-    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) {
-        errors += std::string(text) + "\n";
-    });
-    return tools.Validate(words) ? "" : "invalid: " + errors;
-}
-
-std::string disassemble(const std::vector<uint32_t>& words) {
-    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
-    std::string text;
-    tools.Disassemble(words, &text);
-    return text;
-}
-
 std::string hostShader(const Plan& plan, const Pass& pass, const HostDialect& dialect, bool masked) {
     return "#version " + std::to_string(dialect.glslVersion) + "\n" + hostExtensions(plan, pass, dialect) +
            "#define AGAA_ALPHA_MASKED " + (masked ? "1\n" : "0\n") + hostDeclarations(plan, pass, dialect) + R"(
@@ -298,7 +237,7 @@ TEST_F(MixedSamplesShaders, TheHostsShaderIsValidSpirvThatOverridesTheCoverage) 
     forEveryView([&](const Plan& plan) {
         const Pass& pass = passNamed(plan, "generate aggregates");
         const bool masked = ++visited & 1;
-        const auto [words, errors] = fragmentSpirv(hostShader(plan, pass, HostDialect{}, masked));
+        const auto [words, errors] = spirvOf(EShLangFragment, hostShader(plan, pass, HostDialect{}, masked));
         ASSERT_EQ(errors, "") << plan.view.samples << ' ' << plan.view.aggregates;
         EXPECT_EQ(validate(words), "");
         const std::string text = disassemble(words);

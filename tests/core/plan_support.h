@@ -1,10 +1,14 @@
 // Views for planner tests.
 #pragma once
 
+#include "core/base/error.h"
 #include "core/plan/planner.h"
 #include "core/view/technique.h"
 
+#include <algorithm>
 #include <functional>
+#include <stdexcept>
+#include <string>
 
 namespace agaa::test {
 
@@ -106,5 +110,29 @@ inline uint64_t listBytes(const ViewSpec& spec, uint64_t bytesOfFragment) {
 }
 
 inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) { return makePlan(settingsFor(spec), caps, 2); }
+
+inline const Pass& passNamed(const Plan& plan, const char* name) {
+    const auto found = std::ranges::find(plan.passes, name, &Pass::name);
+    if (found == plan.passes.end())
+        throw std::runtime_error(std::string("The plan has no pass \"") + name + "\".");
+    return *found;
+}
+
+// Returns the sentence with which the view is refused as unsupported; empty if it has a plan.
+inline std::string refusal(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
+    try {
+        planFor(spec, caps);
+    } catch (const Error& error) {
+        return error.code == AGAA_ERROR_UNSUPPORTED ? error.message : "another error: " + error.message;
+    }
+    return "";
+}
+
+// Returns an ideal device without these features.
+inline AgaaDeviceCaps without(uint64_t flags) {
+    AgaaDeviceCaps caps = idealDevice();
+    caps.flags &= ~flags;
+    return caps;
+}
 
 } // namespace agaa::test
