@@ -8,7 +8,8 @@ set(glad_extensions GL_ARB_direct_state_access GL_ARB_buffer_storage GL_ARB_clip
     GL_NV_framebuffer_mixed_samples GL_NV_sample_mask_override_coverage GL_ARB_polygon_offset_clamp
     GL_EXT_polygon_offset_clamp GL_ARB_query_buffer_object GL_AMD_depth_clamp_separate
     GL_NV_internalformat_sample_query GL_ARB_fragment_shader_interlock
-    GL_EXT_shader_framebuffer_fetch GL_KHR_robustness GL_KHR_shader_subgroup)
+    GL_EXT_shader_framebuffer_fetch GL_KHR_robustness GL_KHR_shader_subgroup GL_ARB_sample_locations
+    GL_NV_viewport_array2)
 list(JOIN glad_extensions "," glad_extensions)
 add_custom_command(
   OUTPUT ${glad_folder}/src/gl.c ${glad_folder}/include/glad/gl.h

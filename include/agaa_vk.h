@@ -235,7 +235,8 @@ typedef struct AgaaVkSurface {
     uint32_t format; /* VkFormat */
     /* VkImageLayout after the commands of segment 1 << i; UNDEFINED if the contents are lost. A host that uses the
      * image leaves it in this layout, with a barrier whose second scope is ALL_COMMANDS and MEMORY_READ |
-     * MEMORY_WRITE, before the commands of the next segment. */
+     * MEMORY_WRITE, before the commands of the next segment. Where draws have AgaaDrawState::sampleLocations, a host
+     * reads the depth in this layout and does not change it. */
     uint32_t layouts[3];
 } AgaaVkSurface;
 #define AGAA_VK_SURFACE_INIT                                                                                           \

@@ -139,9 +139,17 @@ typedef enum AgaaTier {
     AGAA_TIER_AUTO = 0,
     /* visibility */
     AGAA_TIER_NATIVE = 1,        /* a target of the device's own n samples */
-    AGAA_TIER_NV_MULTICAST = 2,  /* reserved: AGAA_ERROR_UNSUPPORTED */
+    AGAA_TIER_NV_MULTICAST = 2,  /* LAYERS, where one draw reaches all layers by viewport multicast (AGAA 4.4). Requires
+                                    AGAA_DEVICE_NV_MULTICAST. Not yet run on a device, so AUTO does not select it */
     AGAA_TIER_SCALED_TARGET = 3, /* a target of scaleX x scaleY texels per pixel, with fewer samples per texel */
-    AGAA_TIER_LAYERS = 4,        /* reserved: AGAA_ERROR_UNSUPPORTED */
+    AGAA_TIER_LAYERS = 4,        /* 2, 4 or 8 layers with fewer samples each, at other places in the pixel (AGAA 4.4).
+                                    n is 2, 4, 8, 16 or 32; coverage samples have no layers. Derivatives are those of
+                                    the pixel. Layers lie one below the other in one target. The host draws everything
+                                    once for each layer (AgaaDrawTarget::viewports), and its viewports keep fractions of
+                                    a pixel. With AGAA_DEVICE_SAMPLE_LOCATIONS the samples are spread over the pixel
+                                    like those of SCALED_TARGET. Otherwise they lie around the standard locations of
+                                    n/2, n/4 or n/8 samples, at most 8, and edges are coarser (docs/techniques.md). AUTO
+                                    does not select it. It excludes AgaaGBufferFunction (AGAA_ERROR_UNSUPPORTED) */
     AGAA_TIER_ORDERED_GRID = 5,  /* 4, 9 or 16 samples: 2x2, 3x3 or 4x4 texels of one sample each */
     /* generation */
     AGAA_TIER_NV_MIXED_SAMPLES = 16,   /* the paper's method: additive blending into colour attachments with a sample

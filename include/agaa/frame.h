@@ -42,7 +42,7 @@ typedef enum AgaaCompare {
 } AgaaCompare;
 
 /* Fixed-function state that the host's pipelines must have in a draw pass. The depth test is on, the viewport's
- * depth range is [0, 1], and the viewport and the scissor are the whole target. The host chooses the cull mode,
+ * depth range is [0, 1], and the viewport and the scissor are those of the target. The host chooses the cull mode,
  * which must be the same in all draw passes of a frame. All other state that changes fragments must be off: blending
  * except keepFirst and additive, dithering, logic operations, alpha-to-coverage, sample masks, depth bias, depth
  * clamping and sRGB conversion. */
@@ -75,8 +75,22 @@ typedef struct AgaaDrawState {
                                   coverage. On Vulkan the pipeline has VkPipelineCoverageReductionStateCreateInfoNV
                                   with TRUNCATE and, without a render pass, VkAttachmentSampleCountInfoNV
                                   (docs/integration/vulkan-pipelines.md) */
-    uint32_t reserved[2];      /* 0 */
+    uint32_t multicast;        /* 0: triangles are drawn in one viewport at a time. Otherwise the pipeline has this many
+                                  viewports and scissors, and its vertex shader has AgaaDrawPass::glslVertex and calls
+                                  agaa_multicast(), which sends each triangle to all of them */
+    uint32_t sampleLocations;  /* 1: Vulkan pipelines have VkPipelineSampleLocationsStateCreateInfoEXT with
+                                  sampleLocationsEnable and VK_DYNAMIC_STATE_SAMPLE_LOCATIONS_EXT; the SDK sets the
+                                  locations before it calls the draw callback. On OpenGL the framebuffer has them */
 } AgaaDrawState;
+
+/* A viewport of a draw pass, in texels from the target's corner at (0, 0), with its scissor. Its depth range is
+ * [0, 1]. */
+typedef struct AgaaViewport {
+    float x, y, width, height; /* x and y may be below 0 and have fractions. Hosts that flip y on Vulkan set
+                                  y + height and -height */
+    uint32_t scissorX, scissorY, scissorWidth, scissorHeight; /* texels. If there are several viewports, the scissor
+                                                                 test must be on; a single one has its whole target */
+} AgaaViewport;
 
 /* Describes a draw pass of a view before anything is recorded. Chain an AgaaVkDrawPass or an AgaaGlDrawPass to
  * receive the formats and objects of the graphics API.
@@ -93,7 +107,8 @@ typedef struct AgaaDrawPass {
     uint32_t stage;          /* AgaaStage */
     const char* name;        /* owned by the view */
     uint64_t pipelineKey;    /* differs between passes that need different shaders or pipelines */
-    uint32_t width, height;  /* texels of the target: pixels of the view times the scale. Frames may draw fewer */
+    uint32_t width, height;  /* texels of the target: pixels of the view times the scale, and the height times the
+                                layers of the tiers LAYERS and NV_MULTICAST. Frames may draw fewer */
     uint32_t scaleX, scaleY; /* texels per pixel */
     AgaaDrawState state;
     const char* glslExtensions;   /* owned by the view */
@@ -101,14 +116,15 @@ typedef struct AgaaDrawPass {
     /* Null if the pass needs no geometry shader. Otherwise the host's geometry shader has this text between
      * glslExtensions and its own code, which calls the functions that the text names. Owned by the view. */
     const char* glslGeometry;
-    /* Null unless state.vertexPulling is 1. Otherwise the host's vertex shader has this text between glslExtensions
-     * and its own code, which calls agaa_pullVertex() once. Owned by the view. */
+    /* Null unless state.vertexPulling is 1 or state.multicast is not 0. Otherwise the host's vertex shader has this
+     * text between glslExtensions and its own code, which calls agaa_pullVertex() or agaa_multicast() once. Owned by
+     * the view. */
     const char* glslVertex;
 } AgaaDrawPass;
 #define AGAA_DRAW_PASS_INIT                                                                                            \
     {                                                                                                                  \
         AGAA_STRUCTURE_TYPE_DRAW_PASS, (uint32_t)sizeof(AgaaDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, 0,                \
-            {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0}}, NULL, NULL, NULL, NULL                                 \
+            {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, NULL, NULL, NULL, NULL                                   \
     }
 AGAA_API void AGAA_CALL agaaInitDrawPass(AgaaDrawPass* outPass, size_t structSize);
 
@@ -178,7 +194,8 @@ typedef struct AgaaDrawTarget {
     const void* pNext;
     uint32_t pass;           /* AgaaDrawPassId */
     uint32_t batch;          /* index of the batch, from 0, if the frame calls for the pass more than once */
-    uint32_t width, height;  /* viewport and scissor, from (0, 0), in texels */
+    uint32_t width, height;  /* texels that the frame draws, from (0, 0). With one viewport they are viewport and
+                                scissor */
     uint32_t scaleX, scaleY; /* texels per pixel. Multiply screen-space derivatives by these */
     AgaaDrawState state;
     uint64_t pipelineKey;   /* AgaaDrawPass::pipelineKey of the pass */
@@ -189,6 +206,12 @@ typedef struct AgaaDrawTarget {
     /* OpenGL with AGAA_GL_CONSTANTS_UNIFORMS: the values of `uniform vec4 agaa_constants[]`. Otherwise null. Valid
      * during the callback only. */
     const float* constants;
+    /* One viewport, or one for each layer of the tiers LAYERS and NV_MULTICAST. With state.multicast the callback sets
+     * them all and draws once. Otherwise it draws everything in each of them, in any order. Valid during the callback
+     * only. */
+    const AgaaViewport* viewports;
+    uint32_t viewportCount; /* 1, 2, 4 or 8 */
+    uint32_t reserved;      /* 0 */
 } AgaaDrawTarget;
 
 /* Draws the opaque and alpha-masked geometry of the scene, or with AGAA_FETCH_NOT_ALL_DRAWS the part that the pass
@@ -203,7 +226,8 @@ typedef struct AgaaDrawTarget {
  *           AGAA_DEVICE_CONDITIONAL_RENDERING, draws in batches are within conditional rendering, and the callback
  *           begins none in them. With AGAA_VK_RECORDING_SECONDARY, all batches execute the commands of one call.
  * OpenGL    The host's state is as it was on entry to agaaGlRecordFrame, except for the bindings named in
- *           AgaaGlDeviceDesc. The callback binds the framebuffer and sets the viewport and AgaaDrawState.
+ *           AgaaGlDeviceDesc. The callback binds the framebuffer and sets viewports, scissors and
+ *           AgaaDrawState.
  * Threads   The thread that records. The callback must not call the SDK and must not throw; an exception that the
  *           SDK can catch counts as AGAA_ERROR_CALLBACK. */
 typedef AgaaResult(AGAA_CALL* AgaaDrawCallback)(void* user, const AgaaDrawTarget* target);

@@ -39,6 +39,12 @@ extern "C" {
     UINT64_C(0x2000) /* fragment shaders read the attachments, in the order of the                                     \
                         draws (GL_EXT_shader_framebuffer_fetch,                                                        \
                         VK_EXT_rasterization_order_attachment_access) */
+#define AGAA_DEVICE_SAMPLE_LOCATIONS                                                                                   \
+    UINT64_C(0x4000) /* samples lie where a program says, on a grid of sixteenths of a pixel or finer                  \
+                        (GL_ARB_sample_locations; VK_EXT_sample_locations with variableSampleLocations) */
+#define AGAA_DEVICE_NV_MULTICAST                                                                                       \
+    UINT64_C(0x8000) /* vertex shaders send a triangle to several viewports, of which there are 8 or more              \
+                        (NV_viewport_array2, and on Vulkan the features multiViewport and geometryShader) */
 
 /* Capabilities of a device. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps
  * fill it. */
@@ -75,7 +81,7 @@ typedef struct AgaaCapability {
     float relativeCost; /* approximate cost, measured on lavapipe, of the stage relative to native visibility or
                            post-depth atomics. GBUFFER and IDS compare whole frames of "agaa" with n = 8. Tiers of
                            "dcaa" compare whole frames with FRAGMENT_LISTS; FRAGMENT_INTERLOCK compares passes on an
-                           NVIDIA H200 */
+                           NVIDIA H200. 0: not measured */
     uint32_t reserved;
     char reason[256]; /* one sentence */
 } AgaaCapability;
@@ -156,8 +162,10 @@ typedef struct AgaaSurface {
     char name[48];
     char format[32];        /* empty for buffers */
     uint32_t width, height; /* texels; 0 for buffers */
-    uint32_t samples, layers;
-    uint32_t scaleX, scaleY; /* texels per pixel; 0 for buffers, and for images whose size is not that of the target */
+    uint32_t samples, layers; /* layers: of the image, an array if there are several */
+    /* Texels per pixel; 0 for buffers, and for images whose size is not that of the target. With the tiers LAYERS and
+     * NV_MULTICAST, scaleY is AgaaTarget::layers: the rows of layer i begin at i times the height of the frame. */
+    uint32_t scaleX, scaleY;
     uint64_t bytes;          /* payload of all copies */
     uint32_t isPerPixel;     /* 0: constants, tables, uploads and read-back, which do not grow with the target */
     uint32_t firstPass, lastPass; /* the surface is in use from pass firstPass to pass lastPass of the plan */
@@ -202,7 +210,7 @@ AGAA_API AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const Ag
                                               AgaaMemoryReport* outReport, uint32_t* surfaceCount,
                                               AgaaSurface* surfaces);
 
-/* The target of the geometry passes: a pixel with n samples consists of scaleX x scaleY texels. */
+/* The target of the geometry passes: a pixel with n samples consists of scaleX x scaleY texels in each layer. */
 typedef struct AgaaTarget {
     uint32_t sType;
     uint32_t structSize;
@@ -212,9 +220,12 @@ typedef struct AgaaTarget {
     uint32_t scaleX, scaleY; /* texels per pixel */
     uint32_t geometryPasses; /* 0: the host draws the G-buffer (AgaaGBufferFunction), with this size and these samples
                                 unless the function gives sample positions */
+    uint32_t layers;         /* of the tiers LAYERS and NV_MULTICAST, one below the other; otherwise 1. The height is
+                                that of all layers */
+    uint32_t reserved;       /* 0 */
 } AgaaTarget;
 #define AGAA_TARGET_INIT                                                                                               \
-    { AGAA_STRUCTURE_TYPE_TARGET, (uint32_t)sizeof(AgaaTarget), NULL, 0, 0, 0, 0, 0, 0 }
+    { AGAA_STRUCTURE_TYPE_TARGET, (uint32_t)sizeof(AgaaTarget), NULL, 0, 0, 0, 0, 0, 0, 0, 0 }
 AGAA_API void AGAA_CALL agaaInitTarget(AgaaTarget* outTarget, size_t structSize);
 
 /* Predicts the target of a view.

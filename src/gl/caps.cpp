@@ -1,6 +1,7 @@
 // Requirements and capabilities of OpenGL contexts.
 #include "core/abi/api_guard.h"
 #include "core/base/error.h"
+#include "core/view/tiers.h"
 #include "gl/context.h"
 #include "gl/formats.h"
 #include "gl/structs.h"
@@ -105,6 +106,11 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
     if (gl.NV_framebuffer_mixed_samples && gl.NV_sample_mask_override_coverage &&
         integer(gl, GL_MIXED_DEPTH_SAMPLES_SUPPORTED_NV) && integer(gl, GL_MIXED_STENCIL_SAMPLES_SUPPORTED_NV))
         caps.flags |= AGAA_DEVICE_NV_MIXED_SAMPLES;
+    // The extension guarantees a grid of sixteenths.
+    if (gl.ARB_sample_locations && integer(gl, GL_PROGRAMMABLE_SAMPLE_LOCATION_TABLE_SIZE_ARB) >= 16)
+        caps.flags |= AGAA_DEVICE_SAMPLE_LOCATIONS;
+    if (gl.NV_viewport_array2 && integer(gl, GL_MAX_VIEWPORTS) >= int(maxLayers))
+        caps.flags |= AGAA_DEVICE_NV_MULTICAST;
     caps.sampleCounts = 0x1F; // no standard defines a pattern of 32 samples
     for (Format format : {Format::R8, Format::RG8, Format::RGBA8, Format::R16, Format::RG16, Format::RGBA16,
                           Format::RGBA16F, Format::RGB10A2, Format::D24S8, Format::D32S8, Format::D32})

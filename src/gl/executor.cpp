@@ -131,12 +131,23 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const
     if (context.hostBindings)
         context.hostBindings->capture();
     bindForHost(pass, frame, glFrame, slot);
-    const AgaaResult result = callDraw(frame, target);
+    const AgaaResult result = callDraw(plan, pass, frame, target);
     if (context.hostBindings)
         context.hostBindings->restore();
     if (result != AGAA_OK)
         failDraw(AGAA_ERROR_CALLBACK, result, pass, "the output was not written");
     state.save();
+    if (target.state.sampleLocations && target.state.depthWrite)
+        evaluateDepth(step.pass);
+}
+
+// Drivers may keep planes in place of depths and evaluate them at the default locations when shaders read the texture.
+// The scissor of the host's last layer would leave out the others.
+void View::evaluateDepth(size_t pass) {
+    const GladGLContext& gl = context.gl;
+    gl.Disablei(GL_SCISSOR_TEST, 0);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers[pass]);
+    gl.EvaluateDepthValuesARB();
 }
 
 void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot) {

@@ -116,6 +116,11 @@ void View::createFramebuffer(size_t index) {
         gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples > 1 ? GLint(samples) : 0);
         gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_FIXED_SAMPLE_LOCATIONS, GL_TRUE);
     }
+    if (pass.draw().state.sampleLocations) {
+        const std::vector<SamplePosition> texel = texelPositions(plan.view);
+        gl.NamedFramebufferSampleLocationsfvARB(framebuffer, 0, GLsizei(texel.size()), &texel[0].x);
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_PROGRAMMABLE_SAMPLE_LOCATIONS_ARB, GL_TRUE);
+    }
     if (buffers.empty())
         buffers.push_back(GL_NONE);
     gl.NamedFramebufferDrawBuffers(framebuffer, GLsizei(buffers.size()), buffers.data());
@@ -169,8 +174,10 @@ SamplePositions View::readPositions() const {
         return samplePositions(plan.view.samplePositions);
     const GladGLContext& gl = context.gl;
     std::vector<SamplePosition> texel(plan.view.hwSamples, SamplePosition{0.5f, 0.5f});
+    if (plan.view.placesSamples)
+        return samplePositions(plan.view);
     if (plan.view.hwSamples == 1)
-        return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
+        return samplePositions(texel, plan.view);
     const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(),
                                    [](const Pass& pass) { return pass.kind() == PassKind::HostDraw; });
     if (draw != plan.passes.end()) {
@@ -180,7 +187,7 @@ SamplePositions View::readPositions() const {
         requireObject(gl, target.texture, "glCreateTextures");
         readLocations(gl, requireObject(gl, target.framebuffer, "glCreateFramebuffers"), texel);
     }
-    return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
+    return samplePositions(texel, plan.view);
 }
 
 MemoryUse View::memoryUse() const {

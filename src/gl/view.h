@@ -70,6 +70,7 @@ private:
     void dispatch(const Dispatch& dispatch, FrameExtent extent, uint32_t slot);
     void clearColor(size_t pass) const;
     void clearTargets(size_t pass);
+    void evaluateDepth(size_t pass); // that sets sample locations
     void bindConstants(GLuint point, ResourceId resource, uint32_t slot);
     void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);

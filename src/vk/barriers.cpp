@@ -105,6 +105,8 @@ void Tracker::use(ResourceId id, const VkAccess& access) {
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         barrier.image = resources_[id].image;
         barrier.subresourceRange = {aspects(resource.format), 0, 1, 0, resource.layers};
+        if (hasSetLocations(plan_, resource)) // a transition may compute the depth at each sample
+            barrier.pNext = resources_.sampleLocations();
         next_.images.push_back(barrier);
     }
     // An image barrier covers the image's own texels, not the aliased surface that used their memory before.

@@ -2,6 +2,7 @@
 #include "core/abi/api_guard.h"
 #include "core/base/error.h"
 #include "core/plan/plan.h"
+#include "core/view/tiers.h"
 #include "vk/context.h"
 #include "vk/structs.h"
 
@@ -49,6 +50,7 @@ constexpr const char* optionalFeatures[] = {"dynamicRendering",
                                             "fragmentShaderPixelInterlock",
                                             "rasterizationOrderColorAttachmentAccess",
                                             "coverageReductionMode",
+                                            "multiViewport",
                                             "computeFullSubgroups"};
 constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
                                               VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
@@ -58,6 +60,8 @@ constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSI
                                               VK_NV_FRAMEBUFFER_MIXED_SAMPLES_EXTENSION_NAME,
                                               VK_NV_SAMPLE_MASK_OVERRIDE_COVERAGE_EXTENSION_NAME,
                                               VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME,
+                                              VK_EXT_SAMPLE_LOCATIONS_EXTENSION_NAME,
+                                              VK_NV_VIEWPORT_ARRAY_2_EXTENSION_NAME,
                                               VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME};
 
 std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk, VkPhysicalDevice device) {
@@ -124,6 +128,22 @@ bool ordersColorAccess(const InstanceTable& vk, VkPhysicalDevice device, const V
            limits.maxFragmentCombinedOutputResources >= withCounters;
 }
 
+// Tests whether samples may lie on the grid of texelPositions(), for 2 samples and more. The device must have
+// VK_EXT_sample_locations.
+bool placesSamples(const InstanceTable& vk, VkPhysicalDevice device, VkSampleCountFlags counts) {
+    VkPhysicalDeviceSampleLocationsPropertiesEXT locations{};
+    locations.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SAMPLE_LOCATIONS_PROPERTIES_EXT;
+    VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &locations, {}};
+    vk.GetPhysicalDeviceProperties2(device, &properties);
+    const VkSampleCountFlags multiple = counts & ~VkSampleCountFlags(VK_SAMPLE_COUNT_1_BIT);
+    // Without variableSampleLocations a render pass must know the locations when it begins, and dynamic rendering
+    // cannot.
+    return locations.variableSampleLocations && locations.sampleLocationSubPixelBits >= 4 &&
+           locations.sampleLocationCoordinateRange[0] <= 0.0f &&
+           locations.sampleLocationCoordinateRange[1] >= 15.0f / 16 &&
+           (locations.sampleLocationSampleCounts & multiple) == multiple;
+}
+
 // The device must have VK_NV_coverage_reduction_mode.
 bool reducesCoverage(const InstanceTable& vk, VkPhysicalDevice device) {
     VkPhysicalDeviceCoverageReductionModeFeaturesNV reduction{};
@@ -188,6 +208,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     set(rendersAndSamples(vk, device, VK_FORMAT_D32_SFLOAT_S8_UINT), AGAA_DEVICE_D32S8);
     set(properties.properties.apiVersion >= VK_API_VERSION_1_3, AGAA_DEVICE_DYNAMIC_RENDERING);
     std::set<std::string_view> mixedSamples; // extensions
+    bool hasSampleLocations = false;
     bool controlsSubgroups = properties.properties.apiVersion >= VK_API_VERSION_1_3;
     const std::vector<VkExtensionProperties> extensions = deviceExtensions(vk, device);
     for (const VkExtensionProperties& extension : extensions) {
@@ -197,6 +218,10 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
             name == VK_NV_SAMPLE_MASK_OVERRIDE_COVERAGE_EXTENSION_NAME ||
             name == VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME)
             mixedSamples.insert(name);
+        hasSampleLocations |= name == VK_EXT_SAMPLE_LOCATIONS_EXTENSION_NAME;
+        set(name == VK_NV_VIEWPORT_ARRAY_2_EXTENSION_NAME && f.multiViewport && f.geometryShader &&
+                limits.maxViewports >= maxLayers,
+            AGAA_DEVICE_NV_MULTICAST);
         set(name == VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME, AGAA_DEVICE_POST_DEPTH_COVERAGE);
         set(name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, AGAA_DEVICE_DYNAMIC_RENDERING);
         set(name == VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME && rendersConditionally(vk, device),
@@ -215,6 +240,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
         if (rendersAndSamples(vk, device, depth))
             counts &= usableSamples(vk, device, limits, depth);
     caps.sampleCounts = counts & 0x1F; // Vulkan defines no standard pattern of 32 samples
+    set(hasSampleLocations && placesSamples(vk, device, caps.sampleCounts), AGAA_DEVICE_SAMPLE_LOCATIONS);
     return caps;
 }
 

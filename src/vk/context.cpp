@@ -23,6 +23,10 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
         !enabled(VK_NV_SAMPLE_MASK_OVERRIDE_COVERAGE_EXTENSION_NAME) ||
         !enabled(VK_NV_COVERAGE_REDUCTION_MODE_EXTENSION_NAME) || !desc.enabledFeatures)
         caps.flags &= ~AGAA_DEVICE_NV_MIXED_SAMPLES;
+    if (!enabled(VK_EXT_SAMPLE_LOCATIONS_EXTENSION_NAME))
+        caps.flags &= ~AGAA_DEVICE_SAMPLE_LOCATIONS;
+    if (!enabled(VK_NV_VIEWPORT_ARRAY_2_EXTENSION_NAME) || !desc.enabledFeatures)
+        caps.flags &= ~AGAA_DEVICE_NV_MULTICAST;
     if (!enabled(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_FRAGMENT_INTERLOCK;
     if (apiVersion < VK_API_VERSION_1_3 && !enabled(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME))
@@ -45,6 +49,7 @@ static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& des
     keep(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
     keep(f.geometryShader, AGAA_DEVICE_GEOMETRY_SHADERS);
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
+    keep(f.multiViewport && f.geometryShader, AGAA_DEVICE_NV_MULTICAST);
     keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat, AGAA_DEVICE_STORAGE_FORMATS);
     VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE, interlock = VK_FALSE, colorOrder = VK_FALSE,
              fullSubgroups = VK_FALSE, coverageReduction = VK_FALSE;
@@ -146,7 +151,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc,
         mixedSamples = truncatedSamples(instanceFunctions, physicalDevice);
     conditionalRendering = caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
     vk = loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device,
-                         {dynamicRendering, conditionalRendering});
+                         {dynamicRendering, conditionalRendering, (caps.flags & AGAA_DEVICE_SAMPLE_LOCATIONS) != 0});
     try {
         createObjects();
     } catch (...) {

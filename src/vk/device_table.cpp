@@ -43,6 +43,8 @@ DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstancePro
         load(table.CmdBeginConditionalRenderingEXT, "vkCmdBeginConditionalRenderingEXT");
         load(table.CmdEndConditionalRenderingEXT, "vkCmdEndConditionalRenderingEXT");
     }
+    if (wanted.sampleLocations)
+        load(table.CmdSetSampleLocationsEXT, "vkCmdSetSampleLocationsEXT");
     const auto optional = [&](auto& slot, const char* name) {
         slot = reinterpret_cast<std::remove_reference_t<decltype(slot)>>(getProcAddr(instance, name));
     };

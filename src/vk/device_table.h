@@ -88,6 +88,8 @@ struct DeviceTable {
     // Conditional rendering; null if the host did not enable it.
     PFN_vkCmdBeginConditionalRenderingEXT CmdBeginConditionalRenderingEXT = nullptr;
     PFN_vkCmdEndConditionalRenderingEXT CmdEndConditionalRenderingEXT = nullptr;
+    // Sample locations; null if the host did not enable them.
+    PFN_vkCmdSetSampleLocationsEXT CmdSetSampleLocationsEXT = nullptr;
     // Debug utilities; null if the host's instance lacks them.
     PFN_vkCmdBeginDebugUtilsLabelEXT CmdBeginDebugUtilsLabelEXT = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT CmdEndDebugUtilsLabelEXT = nullptr;
@@ -98,6 +100,7 @@ struct DeviceTable {
 struct OptionalFunctions {
     bool dynamicRendering = false;
     bool conditionalRendering = false;
+    bool sampleLocations = false;
 };
 
 // Both throw AGAA_ERROR_UNSUPPORTED with the name of the first missing function.

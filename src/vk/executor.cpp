@@ -55,8 +55,10 @@ AgaaResult View::callHost(const AgaaFrame& frame, const Step& step, uint32_t slo
     AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass], extentOf(frame, plan));
     target.commandBuffer = commands;
     target.descriptorSet = (uint64_t)passes[step.pass].sets[slot];
+    if (target.state.sampleLocations)
+        context.vk.CmdSetSampleLocationsEXT(commands, resources->sampleLocations());
     beginCondition(step, slot, commands);
-    const AgaaResult result = callDraw(frame, target);
+    const AgaaResult result = callDraw(plan, plan.passes[step.pass], frame, target);
     endCondition(step, commands);
     return result;
 }

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/plan/access.h"
 #include "core/plan/arena.h"
+#include "core/plan/sample_patterns.h"
 #include "vk/formats.h"
 
 #include <algorithm>
@@ -23,7 +24,20 @@ struct ViewResources::Request {
     ResourceKind kind;
 };
 
+bool hasSetLocations(const Plan& plan, const Resource& resource) {
+    return plan.view.placesSamples && resource.samples > 1 && (aspects(resource.format) & VK_IMAGE_ASPECT_DEPTH_BIT);
+}
+
 ViewResources::ViewResources(const Context& context, const Plan& plan) : context_(context) {
+    if (plan.view.placesSamples) {
+        for (const SamplePosition& at : texelPositions(plan.view))
+            locations_.push_back({at.x, at.y});
+        locationsInfo_.sType = VK_STRUCTURE_TYPE_SAMPLE_LOCATIONS_INFO_EXT;
+        locationsInfo_.sampleLocationsPerPixel = VkSampleCountFlagBits(plan.view.hwSamples);
+        locationsInfo_.sampleLocationGridSize = {1, 1};
+        locationsInfo_.sampleLocationsCount = uint32_t(locations_.size());
+        locationsInfo_.pSampleLocations = locations_.data();
+    }
     try {
         std::vector<Request> requests;
         create(plan, requests);
@@ -127,9 +141,11 @@ void ViewResources::createImage(const Plan& plan, ResourceId id, std::vector<Req
     info.usage = usageOf(plan, id, imageUsage, VkImageUsageFlags(VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    if (hasSetLocations(plan, resource))
+        info.flags = VK_IMAGE_CREATE_SAMPLE_LOCATIONS_COMPATIBLE_DEPTH_BIT_EXT;
     VkImageFormatProperties limits{};
     const VkResult has = context_.instanceFunctions.GetPhysicalDeviceImageFormatProperties(
-        context_.physicalDevice, info.format, info.imageType, info.tiling, info.usage, 0, &limits);
+        context_.physicalDevice, info.format, info.imageType, info.tiling, info.usage, info.flags, &limits);
     if (has == VK_ERROR_FORMAT_NOT_SUPPORTED || (has == VK_SUCCESS && !(limits.sampleCounts & info.samples)))
         fail(AGAA_ERROR_UNSUPPORTED, format("the device has no images for %s (%s, %u samples).", resource.name.c_str(),
                                             formatName(resource.format), resource.samples));

@@ -10,6 +10,9 @@
 
 namespace agaa::vk {
 
+// Returns whether the samples of a depth image lie where draws set them.
+bool hasSetLocations(const Plan& plan, const Resource& resource);
+
 struct GpuResource {
     VkImage image = VK_NULL_HANDLE;
     std::vector<VkImageView> layerViews;    // one per layer, for attachments
@@ -28,6 +31,9 @@ public:
     const GpuResource& operator[](ResourceId id) const { return resources_[id]; }
     VkBuffer buffer(ResourceId id, uint32_t slot) const;
     std::byte* mapped(ResourceId id, uint32_t slot) const; // upload and read-back buffers only
+
+    // The locations of the samples of a texel, if draws set them; null otherwise.
+    const VkSampleLocationsInfoEXT* sampleLocations() const { return locations_.empty() ? nullptr : &locationsInfo_; }
 
     uint64_t payloadBytes() const { return payloadBytes_; } // per-pixel surfaces as created
     uint64_t driverBytes() const { return driverBytes_; }   // as the driver requires
@@ -69,6 +75,8 @@ private:
 
     const Context& context_;
     std::vector<GpuResource> resources_;
+    std::vector<VkSampleLocationEXT> locations_;
+    VkSampleLocationsInfoEXT locationsInfo_{};
     std::vector<VkDeviceMemory> memory_;
     std::vector<AgaaVkMemory> hostMemory_;
     uint64_t payloadBytes_ = 0;

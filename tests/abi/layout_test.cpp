@@ -37,7 +37,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaCapability, 304);
     EXPECT_SIZE(AgaaSurface, 144);
     EXPECT_SIZE(AgaaMemoryReport, 56);
-    EXPECT_SIZE(AgaaTarget, 40);
+    EXPECT_SIZE(AgaaTarget, 48);
     EXPECT_SIZE(AgaaPrice, 408);
     EXPECT_SIZE(AgaaFactReport, 656);
     EXPECT_SIZE(AgaaFrameStatistics, 2912);
@@ -63,7 +63,8 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaStructHeader, 16);
     EXPECT_SIZE(AgaaDrawState, 64);
     EXPECT_SIZE(AgaaGlslResource, 96);
-    EXPECT_SIZE(AgaaDrawTarget, 144);
+    EXPECT_SIZE(AgaaDrawTarget, 160);
+    EXPECT_SIZE(AgaaViewport, 32);
     EXPECT_SIZE(AgaaCounters, 256);
     EXPECT_SIZE(AgaaPassTime, 80);
     EXPECT_SIZE(AgaaInvalidPixel, 64);
@@ -75,6 +76,8 @@ TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaDrawState, readsAttachments, 44);
     EXPECT_OFFSET(AgaaDrawState, additive, 48);
     EXPECT_OFFSET(AgaaDrawState, colorSamples, 52);
+    EXPECT_OFFSET(AgaaDrawState, multicast, 56);
+    EXPECT_OFFSET(AgaaDrawState, sampleLocations, 60);
     EXPECT_OFFSET(AgaaConfig, technique, 16);
     EXPECT_OFFSET(AgaaConfig, layout, 32);
     EXPECT_OFFSET(AgaaConfig, flags, 72);
@@ -88,6 +91,8 @@ TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaFrame, outputX, 268);
     EXPECT_OFFSET(AgaaDrawTarget, state, 40);
     EXPECT_OFFSET(AgaaDrawTarget, pipelineKey, 104);
+    EXPECT_OFFSET(AgaaDrawTarget, viewports, 144);
+    EXPECT_OFFSET(AgaaTarget, layers, 40);
     EXPECT_OFFSET(AgaaGoal, measured, 56);
     EXPECT_OFFSET(AgaaFrameStatistics, counters, 56);
     EXPECT_OFFSET(AgaaFrameStatistics, variantFlags, 2880);

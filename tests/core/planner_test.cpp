@@ -48,7 +48,8 @@ TEST(Planner, TiersRefuseNumbersOfSamplesThatNoTargetHas) {
         }
     };
     for (uint32_t samples : {0u, 3u, 10u, 24u, 64u})
-        for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID}) {
+        for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID,
+                              AGAA_TIER_LAYERS, AGAA_TIER_NV_MULTICAST}) {
             expectRefused(samples, [&] { chooseVisibility(idealDevice(), samples, tier); });
             expectRefused(samples, [&] {
                 const AgaaDeviceCaps caps = idealDevice();

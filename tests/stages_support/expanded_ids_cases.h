@@ -76,11 +76,17 @@ TYPED_TEST_P(ExpandedIdsCases, SamplesAreThoseOfTheRasteriser) {
         shot.triangles.push_back(t);
     }
     SettingCounter<TypeParam> counter;
-    for (const uint32_t n : {4u, 8u, 32u}) {
+    for (const auto& [n, visibility] : {std::pair{4u, AGAA_TIER_AUTO},
+                                        {8u, AGAA_TIER_AUTO},
+                                        {32u, AGAA_TIER_AUTO},
+                                        {8u, AGAA_TIER_LAYERS},
+                                        {16u, AGAA_TIER_LAYERS},
+                                        {32u, AGAA_TIER_LAYERS}}) {
         if (!counter.rendersNext())
             continue;
-        SCOPED_TRACE(n);
+        SCOPED_TRACE(testing::Message() << n << ' ' << agaaTierName(visibility));
         ViewSettings settings = idsSettings(n, 4);
+        settings.config.visibilityTier = visibility;
         settings.width = settings.height = 258;
         settings.projection = pixelOrthographic(258, 258, 10);
         const Shown expected = this->render(settings, shot);
@@ -94,14 +100,16 @@ TYPED_TEST_P(ExpandedIdsCases, SamplesAreThoseOfTheRasteriser) {
 
 // Translucent surfaces have the masks of the rasterised tier, and reports of facts count them once.
 TYPED_TEST_P(ExpandedIdsCases, MasksAreThoseOfTheRasteriser) {
-    for (const float alpha : {0.6f, 1.0f}) {
-        SCOPED_TRACE(alpha);
+    for (const auto& [alpha, visibility] :
+         {std::pair{0.6f, AGAA_TIER_AUTO}, {1.0f, AGAA_TIER_AUTO}, {0.6f, AGAA_TIER_LAYERS}}) {
+        SCOPED_TRACE(testing::Message() << alpha << ' ' << agaaTierName(visibility));
         Shot shot{.triangles = layersOver(258, 258, 3), .change = addAmbient};
         for (Triangle& t : shot.triangles) {
             t.isMasked = true;
             t.material.diffuse.w = alpha;
         }
         ViewSettings settings = idsSettings(8, 2);
+        settings.config.visibilityTier = visibility;
         settings.width = settings.height = 258;
         settings.projection = pixelOrthographic(258, 258, 10);
         settings.facts.flags |= AGAA_FACT_ALPHA_MASKED;

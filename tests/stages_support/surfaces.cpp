@@ -14,6 +14,10 @@ ResourceId findResource(const Plan& plan, const std::string& name) {
 
 size_t sampleIndex(const Plan& plan, uint32_t x, uint32_t y, uint32_t i) {
     const uint32_t group = i / plan.view.hwSamples;
+    if (plan.view.layers > 1) {
+        const size_t texel = (size_t(group) * plan.view.height + y) * plan.view.width + x;
+        return texel * plan.view.hwSamples + i % plan.view.hwSamples;
+    }
     const size_t texelX = size_t(x) * plan.view.scaleX + group % plan.view.scaleX;
     const size_t texelY = size_t(y) * plan.view.scaleY + group / plan.view.scaleX;
     return (texelY * (size_t(plan.view.width) * plan.view.scaleX) + texelX) * plan.view.hwSamples +

@@ -177,6 +177,8 @@ private:
         return buffer;
     }
 
+    void drawRangesOf(const Scene& scene, const OpenGlProgram& programs, const AgaaDrawTarget& target,
+                      const AgaaDrawState& state) const;
     void drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs, const AgaaDrawTarget& target,
                    const AgaaDrawState& state) const;
 
@@ -242,14 +244,30 @@ AgaaResult OpenGlDevice::draw(const AgaaDrawTarget& target) {
     return AGAA_OK;
 }
 
+static void setViewport(GLuint index, const AgaaViewport& v) {
+    glViewportIndexedf(index, v.x, v.y, v.width, v.height);
+    glScissorIndexed(index, GLint(v.scissorX), GLint(v.scissorY), GLsizei(v.scissorWidth), GLsizei(v.scissorHeight));
+    glEnablei(GL_SCISSOR_TEST, index);
+}
+
 void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs,
                              const AgaaDrawTarget& target, const AgaaDrawState& state) const {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    glViewport(0, 0, GLsizei(target.width), GLsizei(target.height));
     setDrawState(state, mistakes.blends);
     const GLuint vertexArray = state.vertexPulling ? pullingArray_ : vertexArray_;
     glVertexArrayVertexBuffer(vertexArray, 0, vertices, matrixBytes, (state.vertexPulling ? 3 : 1) * sizeof(Vertex));
     glBindVertexArray(vertexArray);
+    const uint32_t together = std::max(state.multicast, 1u);
+    for (uint32_t first = 0; first < target.viewportCount; first += together) {
+        for (uint32_t i = 0; i < together; ++i)
+            setViewport(i, target.viewports[first + i]);
+        drawRangesOf(scene, programs, target, state);
+    }
+    setCapability(GL_SCISSOR_TEST, false);
+}
+
+void OpenGlDevice::drawRangesOf(const Scene& scene, const OpenGlProgram& programs, const AgaaDrawTarget& target,
+                                const AgaaDrawState& state) const {
     for (const DrawRange& range : drawRanges(scene)) {
         const GLuint program = range.isMasked ? programs.masked : programs.opaque;
         setCapability(GL_STENCIL_TEST, (range.isMasked ? state.stencilTestMasked : state.stencilTest) != 0);

@@ -141,6 +141,9 @@ public:
 
     AgaaResult record(const Functions& sdk, AgaaView view, AgaaFrame& frame, const Scene& scene) override;
     AgaaResult draw(const AgaaDrawTarget& target) override;
+    static void setViewports(VkCommandBuffer commands, const AgaaViewport* list, uint32_t count);
+    static void drawRangesOf(const Scene& scene, const VulkanPipeline& pipeline, const AgaaDrawTarget& target,
+                             VkCommandBuffer commands);
 
 private:
     std::unique_ptr<VulkanImage> makeOutput(uint32_t width, uint32_t height) {
@@ -266,25 +269,42 @@ AgaaResult VulkanDevice::draw(const AgaaDrawTarget& target) {
     }
     const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
     const VkDescriptorSet set = setOf(target);
-    const VkViewport viewport = {0.0f, 0.0f, float(target.width), float(target.height), 0.0f, 1.0f};
-    const VkRect2D scissor = {{0, 0}, {target.width, target.height}};
     const VkDeviceSize offset = matrixBytes;
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &scissor);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->layout, setOfView_[view_], 1, &set, 0,
                             nullptr);
     vkCmdPushConstants(commands, pipeline->layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clipFromShading_,
                        clipFromShading_);
     vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
-    for (const DrawRange& range : drawRanges(*scene)) {
+    const uint32_t together = std::max(target.state.multicast, 1u);
+    for (uint32_t first = 0; first < target.viewportCount; first += together) {
+        setViewports(commands, target.viewports + first, together);
+        drawRangesOf(*scene, *pipeline, target, commands);
+    }
+    return AGAA_OK;
+}
+
+void VulkanDevice::setViewports(VkCommandBuffer commands, const AgaaViewport* list, uint32_t count) {
+    std::vector<VkViewport> viewports;
+    std::vector<VkRect2D> scissors;
+    for (uint32_t i = 0; i < count; ++i) {
+        const AgaaViewport& v = list[i];
+        viewports.push_back({v.x, v.y, v.width, v.height, 0.0f, 1.0f});
+        scissors.push_back({{int32_t(v.scissorX), int32_t(v.scissorY)}, {v.scissorWidth, v.scissorHeight}});
+    }
+    vkCmdSetViewport(commands, 0, count, viewports.data());
+    vkCmdSetScissor(commands, 0, count, scissors.data());
+}
+
+void VulkanDevice::drawRangesOf(const Scene& scene, const VulkanPipeline& pipeline, const AgaaDrawTarget& target,
+                                VkCommandBuffer commands) {
+    for (const DrawRange& range : drawRanges(scene)) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                          range.isMasked ? pipeline->masked : pipeline->opaque);
+                          range.isMasked ? pipeline.masked : pipeline.opaque);
         if (target.state.vertexPulling)
             vkCmdDraw(commands, stripVertices, range.count / 3, 0, range.first / 3);
         else
             vkCmdDraw(commands, range.count, 1, range.first, 0);
     }
-    return AGAA_OK;
 }
 
 } // namespace

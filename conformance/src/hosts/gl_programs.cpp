@@ -63,8 +63,10 @@ std::string geometryText(const AgaaDrawPass& pass, const ShaderDialect& dialect)
 
 std::string vertexText(const AgaaDrawPass& pass, const ShaderDialect& dialect) {
     const std::string version = versionText(dialect.glslVersion);
-    return pass.glslVertex ? version + pass.glslExtensions + "#define ON_OPENGL\n" + pass.glslVertex + pullingShader
-                           : version + "#define ON_OPENGL\n" + vertexShader;
+    if (!pass.glslVertex)
+        return version + "#define ON_OPENGL\n" + vertexShader;
+    const std::string own = version + pass.glslExtensions + "#define ON_OPENGL\n" + pass.glslVertex;
+    return pass.state.multicast ? own + "#define MULTICAST\n" + vertexShader : own + pullingShader;
 }
 
 GLuint createProgram(const std::string& vertices, const std::string& geometry, const std::string& fragments) {

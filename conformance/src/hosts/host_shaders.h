@@ -47,6 +47,9 @@ void main() {
     primitive = uint(VERTEX) / 3u;
     precise vec4 clip = clipFromShading * vec4(inPosition, 1.0); // same computation as in pullingShader
     gl_Position = clip;
+#ifdef MULTICAST
+    agaa_multicast();
+#endif
 }
 )";
 

@@ -157,8 +157,10 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
         stages.push_back(info);
     };
     const bool pulls = state.vertexPulling;
-    addStage(VK_SHADER_STAGE_VERTEX_BIT,
-             pulls ? std::string(pass.glslExtensions) + pass.glslVertex + pullingShader : vertexShader);
+    const std::string own = pass.glslVertex ? std::string(pass.glslExtensions) + pass.glslVertex : std::string();
+    addStage(VK_SHADER_STAGE_VERTEX_BIT, pulls             ? own + pullingShader
+                                         : state.multicast ? own + "#define MULTICAST\n" + vertexShader
+                                                           : vertexShader);
     if (pass.glslGeometry)
         addStage(VK_SHADER_STAGE_GEOMETRY_BIT, std::string(pass.glslExtensions) + pass.glslGeometry + geometryShader);
     std::string fragment = std::string(pass.glslExtensions) + (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") +
@@ -187,7 +189,7 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
     assembly.topology = pulls ? VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkPipelineViewportStateCreateInfo viewport{};
     viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
-    viewport.viewportCount = viewport.scissorCount = 1;
+    viewport.viewportCount = viewport.scissorCount = std::max(state.multicast, 1u);
     VkPipelineRasterizationStateCreateInfo rasterization{};
     rasterization.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
     rasterization.lineWidth = 1.0f;
@@ -209,6 +211,12 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
     mixed.depthStencilAttachmentSamples = multisample.rasterizationSamples;
     if (state.colorSamples)
         multisample.pNext = &reduction;
+    VkPipelineSampleLocationsStateCreateInfoEXT locations{};
+    locations.sType = VK_STRUCTURE_TYPE_PIPELINE_SAMPLE_LOCATIONS_STATE_CREATE_INFO_EXT;
+    locations.sampleLocationsEnable = VK_TRUE;
+    locations.sampleLocationsInfo.sType = VK_STRUCTURE_TYPE_SAMPLE_LOCATIONS_INFO_EXT;
+    if (state.sampleLocations)
+        multisample.pNext = &locations;
     const VkPipelineDepthStencilStateCreateInfo depthStencil = depthStencilState(state, isMasked);
     const std::vector<VkPipelineColorBlendAttachmentState> targets(state.colorAttachmentCount,
                                                                    blendState(state, mistakes_.blends));
@@ -218,10 +226,11 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
         state.readsAttachments ? VK_PIPELINE_COLOR_BLEND_STATE_CREATE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_BIT_EXT : 0;
     blend.attachmentCount = state.colorAttachmentCount;
     blend.pAttachments = targets.data();
-    const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                       VK_DYNAMIC_STATE_SAMPLE_LOCATIONS_EXT};
     VkPipelineDynamicStateCreateInfo dynamic{};
     dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-    dynamic.dynamicStateCount = 2;
+    dynamic.dynamicStateCount = state.sampleLocations ? 3 : 2;
     dynamic.pDynamicStates = dynamics;
     VkPipelineRenderingCreateInfo rendering = renderingState(state, native);
     if (state.colorSamples)

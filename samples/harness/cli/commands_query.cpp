@@ -37,7 +37,9 @@ json featuresJson(uint64_t flags) {
                                      {AGAA_DEVICE_GEOMETRY_SHADERS, "geometry-shaders"},
                                      {AGAA_DEVICE_CONDITIONAL_RENDERING, "conditional-rendering"},
                                      {AGAA_DEVICE_FRAGMENT_INTERLOCK, "fragment-interlock"},
-                                     {AGAA_DEVICE_FRAMEBUFFER_FETCH, "framebuffer-fetch"}})
+                                     {AGAA_DEVICE_FRAMEBUFFER_FETCH, "framebuffer-fetch"},
+                                     {AGAA_DEVICE_SAMPLE_LOCATIONS, "sample-locations"},
+                                     {AGAA_DEVICE_NV_MULTICAST, "nv-multicast"}})
         if (flags & flag)
             names.push_back(name);
     return names;

@@ -28,6 +28,15 @@ void setTarget(const GladGLContext& gl, uint32_t width, uint32_t height) {
     gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); // the convention of Vulkan
 }
 
+void setViewports(const GladGLContext& gl, std::span<const AgaaViewport> list) {
+    for (GLuint i = 0; i < list.size(); ++i) {
+        const AgaaViewport& v = list[i];
+        gl.ViewportIndexedf(i, v.x, v.y, v.width, v.height);
+        gl.ScissorIndexed(i, GLint(v.scissorX), GLint(v.scissorY), GLsizei(v.scissorWidth), GLsizei(v.scissorHeight));
+        gl.Enablei(GL_SCISSOR_TEST, i);
+    }
+}
+
 void setDrawState(const GladGLContext& gl, const AgaaDrawState& state) {
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(compareFunction(state.depthCompare));

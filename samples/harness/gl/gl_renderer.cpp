@@ -171,6 +171,15 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
         strips_->bind();
     else
         gpuScene_->bindGeometry();
+    for (const std::span<const AgaaViewport> viewports : viewportGroups(target)) {
+        setViewports(gl, viewports);
+        drawScene(target, input);
+    }
+    gl.Disable(GL_SCISSOR_TEST);
+}
+
+void GlRenderer::drawScene(const AgaaDrawTarget& target, const FrameInput& input) {
+    const GladGLContext& gl = device_.gl();
     uint32_t material = UINT32_MAX;
     for (uint32_t index = 0; index < input.draws.size(); ++index) {
         const Draw& draw = input.draws[index];

@@ -43,6 +43,7 @@ private:
     const std::vector<AgaaShadow>& shadows() const override { return shadowMaps_.shadows(); }
     glm::dmat4 rasterised(const glm::dmat4& projection) const override;
     void draw(const AgaaDrawTarget& target, const FrameInput& input) override;
+    void drawScene(const AgaaDrawTarget& target, const FrameInput& input);
 
     gl::Texture makeOutput() const; // of the size of the output
     Image read(const gl::Texture& texture) const;

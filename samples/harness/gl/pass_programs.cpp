@@ -70,6 +70,10 @@ std::string PassPrograms::geometryText(const DrawPass<AgaaGlDrawPass>& pass) con
 }
 
 std::string PassPrograms::vertexTextOf(const DrawPass<AgaaGlDrawPass>& pass) const {
+    if (pass.state.multicast)
+        return versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" + pass.glslVertex +
+               embedded::interface_glsl + "#define FOR_CORNERS 0\n#define MULTICAST\n" + embedded::object_glsl +
+               embedded::material_vert;
     if (pass.glslVertex)
         return versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" + pass.glslVertex +
                embedded::interface_glsl + embedded::object_glsl + embedded::corner_outputs_glsl +

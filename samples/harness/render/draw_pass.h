@@ -5,6 +5,7 @@
 #include "render/environment_glsl.h"
 
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,17 @@ inline int cornerOutputs(const AgaaDrawPass& pass) {
 inline std::string classDefineOf(const AgaaDrawPass& pass) {
     const std::string member = std::string("float ") + classAttribute;
     return std::string_view(pass.glslDeclarations).find(member) == std::string_view::npos ? "" : classDefine;
+}
+
+// Returns the viewports of a draw in groups: the callback sets those of a group together, and draws everything.
+inline std::vector<std::span<const AgaaViewport>> viewportGroups(const AgaaDrawTarget& target) {
+    const std::span<const AgaaViewport> all(target.viewports, target.viewportCount);
+    if (target.state.multicast)
+        return {all};
+    std::vector<std::span<const AgaaViewport>> groups;
+    for (size_t i = 0; i < all.size(); ++i)
+        groups.push_back(all.subspan(i, 1));
+    return groups;
 }
 
 // `check` throws if a result is an error.

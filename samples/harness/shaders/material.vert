@@ -36,6 +36,9 @@ invariant gl_Position;
 void main() {
     vec3 position = transform(draw.toShading, vertexPosition);
     gl_Position = clipOf(position);
+#ifdef MULTICAST
+    agaa_multicast();
+#endif
     centreUv = vertexUv;
     centreAlpha = vertexColor.a;
 

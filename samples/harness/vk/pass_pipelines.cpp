@@ -27,6 +27,11 @@ std::string pullingText(const DrawPass<AgaaVkDrawPass>& pass) {
            embedded::object_glsl + embedded::corner_outputs_glsl + embedded::corners_vert;
 }
 
+std::string multicastText(const DrawPass<AgaaVkDrawPass>& pass) {
+    return std::string("#version 450\n") + pass.glslExtensions + pass.glslVertex + "\n" + embedded::interface_glsl +
+           "#define FOR_CORNERS 0\n#define MULTICAST\n" + embedded::object_glsl + embedded::material_vert;
+}
+
 } // namespace
 
 PassPipelines::PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout)
@@ -39,8 +44,10 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
     if (!program.layout) {
         program.text = text;
         program.layout = makeLayout(pass, materialLayout, lastLayout);
-        ShaderModule& vertex = pass.glslVertex ? program.pulling : vertices_[size_t(cornerOutputs(pass))];
-        if (pass.glslVertex) {
+        ShaderModule& vertex = pass.glslVertex ? program.ownVertex : vertices_[size_t(cornerOutputs(pass))];
+        if (pass.state.multicast) {
+            vertex = makeShader(*device_, ShaderStage::Vertex, multicastText(pass), "material.vert");
+        } else if (pass.glslVertex) {
             vertex = makeShader(*device_, ShaderStage::Vertex, pullingText(pass), "corners.vert");
         } else if (!vertex) {
             const std::string body = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" +

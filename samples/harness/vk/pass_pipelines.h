@@ -36,7 +36,7 @@ private:
         std::string text;
         PipelineLayout layout;
         std::map<std::pair<bool, MotionOutput>, ShaderModule> fragments; // by isMasked and motion of the variant
-        ShaderModule geometry, pulling;                                  // null if the pass has none
+        ShaderModule geometry, ownVertex;                                // null if the pass has none
         const ShaderModule* vertex = nullptr;
         std::map<Variant, Pipeline> pipelines;
     };

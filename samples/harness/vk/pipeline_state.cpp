@@ -1,5 +1,6 @@
 #include "vk/pipeline_state.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace harness::vk {
@@ -68,6 +69,14 @@ PipelineState::PipelineState(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked
         mixed.depthStencilAttachmentSamples = multisample.rasterizationSamples;
         rendering.pNext = &mixed;
     }
+    if (wanted.sampleLocations) { // the SDK sets them in each command buffer
+        locations.sType = VK_STRUCTURE_TYPE_PIPELINE_SAMPLE_LOCATIONS_STATE_CREATE_INFO_EXT;
+        locations.pNext = multisample.pNext;
+        locations.sampleLocationsEnable = VK_TRUE;
+        locations.sampleLocationsInfo.sType = VK_STRUCTURE_TYPE_SAMPLE_LOCATIONS_INFO_EXT;
+        multisample.pNext = &locations;
+    }
+    viewports = std::max(wanted.multicast, 1u);
     if (wanted.conservative) {
         conservative.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_CONSERVATIVE_STATE_CREATE_INFO_EXT;
         conservative.conservativeRasterizationMode = VK_CONSERVATIVE_RASTERIZATION_MODE_OVERESTIMATE_EXT;
@@ -139,17 +148,17 @@ Pipeline PipelineState::create(const Device& device, VkShaderModule vertex, VkSh
     assembly.topology = topology;
     VkPipelineViewportStateCreateInfo viewport{};
     viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
-    viewport.viewportCount = 1;
-    viewport.scissorCount = 1;
+    viewport.viewportCount = viewport.scissorCount = viewports;
     VkPipelineColorBlendStateCreateInfo blend{};
     blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
     blend.flags = blendFlags;
     blend.attachmentCount = uint32_t(blends.size());
     blend.pAttachments = blends.data();
-    const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                       VK_DYNAMIC_STATE_SAMPLE_LOCATIONS_EXT};
     VkPipelineDynamicStateCreateInfo dynamic{};
     dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-    dynamic.dynamicStateCount = 2;
+    dynamic.dynamicStateCount = locations.sampleLocationsEnable ? 3 : 2;
     dynamic.pDynamicStates = dynamics;
 
     VkGraphicsPipelineCreateInfo info{};
@@ -178,6 +187,17 @@ void setViewport(VkCommandBuffer commands, uint32_t width, uint32_t height) {
     const VkRect2D scissor{{0, 0}, {width, height}};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
+void setViewports(VkCommandBuffer commands, std::span<const AgaaViewport> list) {
+    std::vector<VkViewport> viewports;
+    std::vector<VkRect2D> scissors;
+    for (const AgaaViewport& v : list) {
+        viewports.push_back({v.x, v.y, v.width, v.height, 0, 1});
+        scissors.push_back({{int32_t(v.scissorX), int32_t(v.scissorY)}, {v.scissorWidth, v.scissorHeight}});
+    }
+    vkCmdSetViewport(commands, 0, uint32_t(viewports.size()), viewports.data());
+    vkCmdSetScissor(commands, 0, uint32_t(scissors.size()), scissors.data());
 }
 
 } // namespace harness::vk

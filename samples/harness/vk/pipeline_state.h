@@ -7,6 +7,7 @@
 #include "vk/glsl.h"
 #include "vk/gpu_scene.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ public:
     VkPipelineRasterizationConservativeStateCreateInfoEXT conservative{};
     VkPipelineMultisampleStateCreateInfo multisample{};
     VkPipelineCoverageReductionStateCreateInfoNV reduction{};
+    VkPipelineSampleLocationsStateCreateInfoEXT locations{}; // chained if a draw pass sets sample locations
+    uint32_t viewports = 1;
     VkPipelineDepthStencilStateCreateInfo depthStencil{};
     std::vector<VkPipelineColorBlendAttachmentState> blends;
     VkPipelineColorBlendStateCreateFlags blendFlags = 0;
@@ -47,5 +50,7 @@ public:
 
 // Sets viewport and scissor to the whole target.
 void setViewport(VkCommandBuffer commands, uint32_t width, uint32_t height);
+// Sets the first viewports and scissors of a draw pass.
+void setViewports(VkCommandBuffer commands, std::span<const AgaaViewport> list);
 
 } // namespace harness::vk

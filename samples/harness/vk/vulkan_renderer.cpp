@@ -198,7 +198,6 @@ void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer comman
 void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
     const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
     const VkPipelineLayout layout = pipelines_.layout(target.pipelineKey);
-    setViewport(commands, target.width, target.height);
     if (target.state.vertexPulling)
         strips_->bind(commands, layout, stripSetIndex);
     else
@@ -216,6 +215,14 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
                                 0, nullptr);
     }
 
+    for (const std::span<const AgaaViewport> viewports : viewportGroups(target)) {
+        setViewports(commands, viewports);
+        drawScene(target, input, commands, layout);
+    }
+}
+
+void VulkanRenderer::drawScene(const AgaaDrawTarget& target, const FrameInput& input, VkCommandBuffer commands,
+                               VkPipelineLayout layout) {
     VkPipeline bound = VK_NULL_HANDLE;
     VkDescriptorSet boundMaterial = VK_NULL_HANDLE;
     for (uint32_t index = 0; index < input.draws.size(); ++index) {

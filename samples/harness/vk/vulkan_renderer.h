@@ -41,6 +41,8 @@ private:
     Image readResolved(size_t index) override { return resolved_.at(index).read(); }
     const std::vector<AgaaShadow>& shadows() const override { return shadowMaps_.shadows(); }
     void draw(const AgaaDrawTarget& target, const FrameInput& input) override;
+    void drawScene(const AgaaDrawTarget& target, const FrameInput& input, VkCommandBuffer commands,
+                   VkPipelineLayout layout);
 
     void createCameraSet();
     void recordFrame(const FrameInput& input, VkCommandBuffer commands);

@@ -48,7 +48,7 @@ AgaaDeviceCaps capsOrIdeal(const AgaaDeviceCaps* caps) {
                    AGAA_DEVICE_DYNAMIC_RENDERING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES |
                    AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8 | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE |
                    AGAA_DEVICE_GEOMETRY_SHADERS | AGAA_DEVICE_CONDITIONAL_RENDERING | AGAA_DEVICE_FRAGMENT_INTERLOCK |
-                   AGAA_DEVICE_FRAMEBUFFER_FETCH,
+                   AGAA_DEVICE_FRAMEBUFFER_FETCH | AGAA_DEVICE_SAMPLE_LOCATIONS | AGAA_DEVICE_NV_MULTICAST,
                "AgaaDeviceCaps::flags");
     return known;
 }
@@ -176,11 +176,12 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
         const Plan plan = makePlan(settings, capsOrIdeal(caps), 2); // throws for targets larger than maxImageSize
         AgaaTarget target = AGAA_TARGET_INIT;
         target.width = plan.view.width * plan.view.scaleX;
-        target.height = plan.view.height * plan.view.scaleY;
+        target.height = plan.view.height * plan.view.scaleY * plan.view.layers;
         target.samples = plan.view.hwSamples;
         target.scaleX = plan.view.scaleX;
         target.scaleY = plan.view.scaleY;
         target.geometryPasses = plan.geometryPasses();
+        target.layers = plan.view.layers;
         writeStruct(outTarget, target);
         return AGAA_OK;
     });

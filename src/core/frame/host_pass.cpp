@@ -2,6 +2,8 @@
 
 #include "core/base/callbacks.h"
 #include "core/base/error.h"
+#include "core/frame/frame_checks.h"
+#include "core/plan/sample_patterns.h"
 
 namespace agaa {
 
@@ -46,7 +48,23 @@ AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& ho
     return target;
 }
 
-AgaaResult callDraw(const AgaaFrame& frame, const AgaaDrawTarget& target) {
+// A layer shows at the centre of its texels another point of the pixels, so that its viewport moves by the difference.
+std::vector<AgaaViewport> viewports(const Plan& plan, const Pass& pass, FrameExtent extent) {
+    const FrameExtent texels = targetExtent(plan, pass, extent);
+    const uint32_t height = texels.height / plan.view.layers;
+    std::vector<AgaaViewport> list;
+    for (const SamplePosition& centre : layerCentres(plan.view)) {
+        const uint32_t top = uint32_t(list.size()) * height;
+        list.push_back({0.5f - centre.x, float(top) + 0.5f - centre.y, float(texels.width), float(height), 0, top,
+                        texels.width, height});
+    }
+    return list;
+}
+
+AgaaResult callDraw(const Plan& plan, const Pass& pass, const AgaaFrame& frame, AgaaDrawTarget target) {
+    const std::vector<AgaaViewport> list = viewports(plan, pass, extentOf(frame, plan));
+    target.viewports = list.data();
+    target.viewportCount = uint32_t(list.size());
     return contained([&] { return frame.draw(frame.drawUser, &target); });
 }
 

@@ -44,11 +44,15 @@ void describeHostPass(const HostPass& hostPass, AgaaDrawPass& out);
 // Returns the texels of the pass's target that a frame of this size draws.
 FrameExtent targetExtent(const Plan& plan, const Pass& pass, FrameExtent extent);
 
-// Returns the draw callback's argument. Members that depend on the graphics API are 0: the backend sets them.
+// Returns the draw callback's argument. Members that depend on the graphics API are 0: the backend sets them,
+// and callDraw() sets the viewports.
 AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& hostPass, FrameExtent extent);
 
-// Calls the frame's draw callback. A callback that throws counts as failed.
-AgaaResult callDraw(const AgaaFrame& frame, const AgaaDrawTarget& target);
+// Returns the viewports of a frame of this size: one for each layer of the target.
+std::vector<AgaaViewport> viewports(const Plan& plan, const Pass& pass, FrameExtent extent);
+
+// Calls the frame's draw callback with the viewports of a pass. A callback that throws counts as failed.
+AgaaResult callDraw(const Plan& plan, const Pass& pass, const AgaaFrame& frame, AgaaDrawTarget target);
 
 // Reports that the draw callback of a pass returned `returned`. consequence: the end of the sentence.
 [[noreturn]] void failDraw(AgaaResult code, AgaaResult returned, const Pass& pass, const char* consequence);

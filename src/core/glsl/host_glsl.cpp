@@ -239,6 +239,9 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     out += ownSamplePositions(plan, pass);
     define(out, "AGAA_SCALE_X", plan.view.scaleX);
     define(out, "AGAA_SCALE_Y", plan.view.scaleY);
+    for (const auto& [name, constant] :
+         {std::pair{"AGAA_LAYERS", AGAA_LAYERS}, {"AGAA_LAYER_X", AGAA_LAYER_X}, {"AGAA_LAYER_Y", AGAA_LAYER_Y}})
+        define(out, name, c[constant]);
     defineSwitch(out, "AGAA_COUNTING", c[AGAA_COUNTERS]);
     define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
     out += "#define AGAA_EMISSIVE_RANGE " + glslNumber(plan.view.layout.emissiveRange()) + "\n";
@@ -407,12 +410,16 @@ static std::string expansion(const Plan& plan, const Pass& pass, const HostDiale
     return out;
 }
 
+static bool expandsInVertexShader(const Pass& pass) {
+    return pass.draw().state.vertexPulling || pass.draw().state.multicast;
+}
+
 std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    return pass.draw().state.vertexPulling ? std::string() : expansion(plan, pass, dialect);
+    return expandsInVertexShader(pass) ? std::string() : expansion(plan, pass, dialect);
 }
 
 std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    return pass.draw().state.vertexPulling ? expansion(plan, pass, dialect) : std::string();
+    return expandsInVertexShader(pass) ? expansion(plan, pass, dialect) : std::string();
 }
 
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {

@@ -166,8 +166,8 @@ struct DrawPart {
     ClearValues clear;
     std::vector<std::string> extensions; // GLSL extensions that the host's shaders need
     std::string text;                    // GLSL that defines agaa_emit() in place of the library's
-    // GLSL for the host's geometry shader, or with state.vertexPulling for its vertex shader. It reads the frame
-    // constants only.
+    // GLSL for the host's geometry shader, or with state.vertexPulling or state.multicast for its vertex shader. It
+    // reads the frame constants only.
     std::string expansionText;
 };
 

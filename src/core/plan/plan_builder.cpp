@@ -126,6 +126,13 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
     draw.id = drawPass;
     draw.state.samples = plan.view.hwSamples;
     draw.state.colorWriteMask = 0xF;
+    draw.state.sampleLocations = plan.view.placesSamples;
+    if (plan.view.visibilityTier == AGAA_TIER_NV_MULTICAST) {
+        draw.state.multicast = plan.view.layers;
+        draw.extensions.push_back("NV_viewport_array2");
+        draw.expansionText =
+            format("void agaa_multicast() { gl_ViewportMask[0] = 0x%X; }\n", (1u << plan.view.layers) - 1);
+    }
     draw.clear.depth = plan.view.reversedZ ? 0.0f : 1.0f;
     draw.width = scaledWidth();
     draw.height = scaledHeight();
@@ -217,7 +224,7 @@ uint32_t PlanBuilder::scaledWidth() const {
     return uint32_t(std::min<uint64_t>(uint64_t(plan.view.width) * plan.view.scaleX, ~0u));
 }
 uint32_t PlanBuilder::scaledHeight() const {
-    return uint32_t(std::min<uint64_t>(uint64_t(plan.view.height) * plan.view.scaleY, ~0u));
+    return uint32_t(std::min<uint64_t>(uint64_t(plan.view.height) * plan.view.scaleY * plan.view.layers, ~0u));
 }
 
 ResourceId PlanBuilder::deferredPixels() { return tileBuffer("deferred-pixels", 8, 8); }
@@ -440,7 +447,7 @@ void PlanBuilder::checkLimits() const {
                                          plan.passes.size(), AGAA_MAX_PASSES));
     // This also limits targets and outputs of the host, which are not resources of the plan.
     const uint64_t width = uint64_t(plan.view.width) * plan.view.scaleX,
-                   height = uint64_t(plan.view.height) * plan.view.scaleY;
+                   height = uint64_t(plan.view.height) * plan.view.scaleY * plan.view.layers;
     if (std::max(width, height) > caps_.maxImageSize)
         fail(AGAA_ERROR_TOO_LARGE,
              format(

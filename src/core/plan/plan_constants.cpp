@@ -2,6 +2,7 @@
 #include "core/plan/plan_builder.h"
 
 #include "core/base/embedded.h"
+#include "core/plan/sample_patterns.h"
 
 #include "shaders/tables/lighting.inc"
 
@@ -18,6 +19,10 @@ Constants constantsOf(const ResolvedView& view) {
     c[AGAA_HW_SAMPLES] = view.hwSamples;
     c[AGAA_SCALE_X] = view.scaleX;
     c[AGAA_SCALE_Y] = view.scaleY;
+    c[AGAA_LAYERS] = view.layers;
+    const SamplePosition firstLayer = layerCentres(view)[0];
+    c[AGAA_LAYER_X] = view.layers > 1 ? std::bit_cast<uint32_t>(firstLayer.x) : 0;
+    c[AGAA_LAYER_Y] = view.layers > 1 ? std::bit_cast<uint32_t>(firstLayer.y) : 0;
     c[AGAA_AGGREGATES] = std::max(view.aggregates, 1u);
     c[AGAA_BRDF] = config.brdf;
     c[AGAA_NDF] = config.ndf;

@@ -176,6 +176,8 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
         w.field("readsAttachments", pass.draw().state.readsAttachments != 0);
         w.field("additive", pass.draw().state.additive != 0);
         w.field("colorSamples", pass.draw().state.colorSamples);
+        w.field("multicast", pass.draw().state.multicast);
+        w.field("sampleLocations", pass.draw().state.sampleLocations != 0);
         w.field("sampleShading", pass.draw().state.sampleShading != 0);
     }
     w.close('}');
@@ -194,6 +196,7 @@ std::string planToJson(const Plan& plan) {
     w.field("deviceSamples", plan.view.hwSamples);
     w.field("scaleX", plan.view.scaleX);
     w.field("scaleY", plan.view.scaleY);
+    w.field("layers", plan.view.layers);
     w.key("tiers");
     w.open('{');
     w.field("visibility", tierName(plan.view.visibilityTier));

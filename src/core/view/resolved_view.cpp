@@ -87,6 +87,10 @@ void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const 
     view.hwSamples = choice.hwSamples;
     view.scaleX = choice.scaleX;
     view.scaleY = choice.scaleY;
+    view.layers = choice.layers;
+    view.placesSamples = choice.layers > 1 && choice.hwSamples > 1 && caps.flags & AGAA_DEVICE_SAMPLE_LOCATIONS;
+    require(view.layers == 1 || !view.hostGBuffer, AGAA_ERROR_UNSUPPORTED,
+            "visibility cannot run: the G-buffer of a host has no layers.");
     view.notes.push_back("visibility: " + choice.reason);
 }
 
@@ -105,7 +109,7 @@ bool needsEachNormal(const ResolvedView& view) { return view.keepsNormalMoments(
 // Sets what tiers that sum aggregates in attachments need.
 void describeAttachments(const ResolvedView& view, const AgaaDeviceCaps& caps, GenerationQuery& query) {
     const Layout layout = view.needsSampleNormals() ? twoPassLayout(view.layout, view.facts.flags) : view.layout;
-    query.hasScaledTarget = view.scaleX * view.scaleY > 1;
+    query.hasScaledTarget = view.scaleX * view.scaleY * view.layers > 1;
     const uint64_t stencils = AGAA_DEVICE_D32S8 | (view.reversedZ ? 0 : AGAA_DEVICE_D24S8);
     query.lacksStencil = !(caps.flags & stencils) || view.measurement.flags & AGAA_MEASURE_NO_STENCIL;
     query.hasUnfiltered = layout.unfilteredChannels() != 0 || layout.classChannel() != 0;

@@ -17,6 +17,8 @@ struct ResolvedView : ViewSettings {
     AgaaTier visibilityTier = AGAA_TIER_NATIVE;
     uint32_t hwSamples = 1;                     // samples per texel of the target
     uint32_t scaleX = 1, scaleY = 1;            // texels of the target per pixel
+    uint32_t layers = 1;                        // of the target, one below the other
+    bool placesSamples = false;                 // the executor sets the locations of the samples in a texel
     AgaaTier generationTier = AGAA_TIER_AUTO;   // AUTO: the technique has no generation stage
     const GenerationTier* generation = nullptr; // the row of generationTier, or null
     AgaaLanes lanes = AGAA_LANES_AUTO;          // of passes with several variants; AUTO: the view has none

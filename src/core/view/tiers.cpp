@@ -52,6 +52,41 @@ static VisibilityChoice orderedGrid(uint32_t samples) {
     return choice;
 }
 
+// Sets the layers of hw samples each that make n samples. Patterns are known for 2, 4 and 8 layers.
+static bool hasLayers(const AgaaDeviceCaps& caps, uint32_t samples, VisibilityChoice& choice) {
+    for (choice.layers = 2; choice.layers <= maxLayers; choice.layers *= 2) {
+        choice.hwSamples = samples / choice.layers;
+        // The pattern of 16 has samples at the border of the pixel, which no offset keeps inside.
+        const bool canMove = choice.hwSamples <= 8 || caps.flags & AGAA_DEVICE_SAMPLE_LOCATIONS;
+        if (choice.hwSamples >= 1 && canMove && hasSamples(caps, choice.hwSamples))
+            return true;
+    }
+    return false;
+}
+
+static VisibilityChoice layers(const AgaaDeviceCaps& caps, uint32_t samples, AgaaTier tier) {
+    VisibilityChoice choice;
+    if (tier == AGAA_TIER_NV_MULTICAST && !(caps.flags & AGAA_DEVICE_NV_MULTICAST)) {
+        choice.reason = "the device has no viewport multicast (AGAA_DEVICE_NV_MULTICAST).";
+        return choice;
+    }
+    if (!hasLayers(caps, samples, choice)) {
+        choice = {};
+        choice.reason =
+            format("%u samples cannot be made of up to %u layers of the device's sample counts.", samples, maxLayers);
+        return choice;
+    }
+    choice.tier = tier;
+    // The prepass takes this beside that of a scaled target, at n = 8, 16 and 32 on lavapipe. Multicast has not run.
+    choice.relativeCost = tier == AGAA_TIER_NV_MULTICAST ? 0 : choice.layers == 2 ? 1.3f : 2.4f;
+    const bool isPlaced = caps.flags & AGAA_DEVICE_SAMPLE_LOCATIONS && choice.hwSamples > 1;
+    choice.reason = format("%u layers of %u samples each, %s, give %u per pixel.", choice.layers, choice.hwSamples,
+                           isPlaced ? "spread over the pixel"
+                                    : "moved by less than the distance of standard locations from its border",
+                           samples);
+    return choice;
+}
+
 VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced, bool prefersGrid) {
     if (samples != gridOnlySamples)
         checkSampleCount(samples, "the number of samples per pixel");
@@ -79,6 +114,8 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
     }
     if (forced == AGAA_TIER_SCALED_TARGET || forced == AGAA_TIER_AUTO)
         return scaledTarget(caps, samples);
+    if (forced == AGAA_TIER_LAYERS || forced == AGAA_TIER_NV_MULTICAST)
+        return layers(caps, samples, AgaaTier(forced));
     choice.reason = format("the tier %s is not built for visibility.", tierName(forced));
     return choice;
 }
@@ -214,7 +251,8 @@ void addDeviceSamples(std::vector<AgaaCapability>& rows, TechniqueTable table, c
     addVisibility(rows, technique, samples, visibility);
     if (visibility.tier == AGAA_TIER_AUTO)
         return; // no later stage can run either
-    for (const AgaaTier tier : {AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID})
+    for (const AgaaTier tier :
+         {AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID, AGAA_TIER_LAYERS, AGAA_TIER_NV_MULTICAST})
         if (const VisibilityChoice other = chooseVisibility(caps, samples, tier);
             other.tier != AGAA_TIER_AUTO && other.tier != visibility.tier)
             addVisibility(rows, technique, samples, other);

@@ -14,9 +14,11 @@ struct VisibilityChoice {
     uint32_t hwSamples = 1;
     uint32_t scaleX = 1;
     uint32_t scaleY = 1;
+    uint32_t layers = 1;
     float relativeCost = 1;
     std::string reason; // one sentence
 };
+inline constexpr uint32_t maxLayers = 8;
 // Returns the texels across a pixel of an ordered grid of n samples, or 0 if there is no such grid.
 uint32_t gridSide(uint32_t samples);
 VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced,

@@ -104,6 +104,12 @@ vec2 agaa_sampleLocation(uint i) {
     return (i & 1u) != 0u ? two.zw : two.xy;
 }
 
+// Returns the point of the pixel that the centre of a layer's texel shows. firstLayer: that of the first layer.
+// first   The layer's first sample.
+vec2 agaa_layerCentre(vec2 firstLayer, uint first) {
+    return firstLayer + (agaa_sampleLocation(first) - agaa_sampleLocation(0u));
+}
+
 // Returns whether the frame does not show an effect that the pipeline has: the variant without it may not be compiled
 // yet.
 bool agaa_leavesOut(uint fact) {

@@ -1,17 +1,22 @@
-// Functions of the host that a pass is compiled with, and their types. Needs AGAA_HW_SAMPLES, AGAA_SCALE_X and
-// AGAA_SCALE_Y, which common/constants.glsl has.
+// Functions of the host that a pass is compiled with, and their types. Needs common/frame.glsl, and AGAA_HW_SAMPLES,
+// AGAA_SCALE_X, AGAA_SCALE_Y and AGAA_LAYERS, which common/constants.glsl has.
 #ifndef AGAA_HOST_CODE_GLSL
 #define AGAA_HOST_CODE_GLSL
 #if !defined(AGAA_CONSTANTS_GLSL) && (!defined(AGAA_HW_SAMPLES) || !defined(AGAA_SCALE_X) || !defined(AGAA_SCALE_Y))
 #error "host_code.glsl needs AGAA_HW_SAMPLES, AGAA_SCALE_X and AGAA_SCALE_Y."
 #endif
+#if !defined(AGAA_FRAME_GLSL) || (!defined(AGAA_CONSTANTS_GLSL) && !defined(AGAA_LAYERS))
+#error "host_code.glsl needs frame.glsl and AGAA_LAYERS."
+#endif
 #include "common/alpha_points.glsl"
 #include "common/custom.glsl"
 
 // Returns the texel of sample i in a target whose pixels are AGAA_SCALE_X x AGAA_SCALE_Y texels of AGAA_HW_SAMPLES
-// each.
+// each, or a texel in each of AGAA_LAYERS layers.
 ivec2 agaaTexel(uvec2 pixel, uint i) {
     uint group = i / AGAA_HW_SAMPLES;
+    if (AGAA_LAYERS > 1u)
+        return ivec2(pixel.x, pixel.y + group * agaa_frame.size.y);
     return ivec2(pixel * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y) +
                  uvec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X));
 }

@@ -50,7 +50,7 @@ uvec4 agaa_maskedSamples(AGAA_ALPHA_INPUT s, float alpha, vec2 gradient, uvec2 p
     uint hash = agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.ditherFrame);
     uvec4 mask = uvec4(0u);
 #if AGAA_COVERS_TARGET
-    const uint texels = AGAA_SCALE_X * AGAA_SCALE_Y;
+    const uint texels = AGAA_SCALE_X * AGAA_SCALE_Y * AGAA_LAYERS;
     for (uint texel = 0u; texel < texels; ++texel)
         mask.x |= agaa_translucentMask(alpha, AGAA_HW_SAMPLES, texel, texels, hash) << AGAA_HW_SAMPLES * texel;
 #else

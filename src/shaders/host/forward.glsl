@@ -39,7 +39,7 @@ uint agaa_coveredSamples(uint kept) {
 // slope   Change of depth per texel.
 void agaa_setFragmentFootprint(uint covered, vec2 slope) {
     vec2 perTexel = 2.0 / vec2(agaa_frame.size * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y));
-    vec2 centre = floor(gl_FragCoord.xy) + 0.5;
+    vec2 centre = agaa_shownPoint(floor(gl_FragCoord.xy) + 0.5);
     vec3 first = vec3(0.0), mean = vec3(0.0);
     agaa_beginFootprint();
     for (uint rest = covered; rest != 0u; rest &= rest - 1u) {

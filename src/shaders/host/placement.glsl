@@ -12,7 +12,7 @@ bool agaa_isMisplaced(vec3 position) {
     vec2 ndc = orthographic != 0u ? p.xy * agaa_frame.projectionScale + agaa_frame.projectionOffset
                                   : -p.xy * agaa_frame.projectionScale / p.z - agaa_frame.projectionOffset;
     vec2 target = vec2(agaa_frame.size * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y));
-    vec2 away = abs((ndc * 0.5 + 0.5) * target - gl_FragCoord.xy);
+    vec2 away = abs((ndc * 0.5 + 0.5) * target - agaa_shownPoint(gl_FragCoord.xy));
     float z = agaa_viewZFromDepth(gl_FragCoord.z, agaa_frame.projection22, agaa_frame.projection32,
                                   orthographic);
     float quantum = agaa_depthQuantum(z, gl_FragCoord.z, agaa_frame.projection22, agaa_frame.projection32,

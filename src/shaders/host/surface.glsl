@@ -112,10 +112,29 @@ vec3 agaa_planeNormal(vec3 position) {
     return l2 > 0.0 ? n * inversesqrt(l2) : vec3(0.0);
 }
 
-uvec2 agaa_hostPixel() { return uvec2(gl_FragCoord.xy) / uvec2(AGAA_SCALE_X, AGAA_SCALE_Y); }
+// Returns the layer of the target that the fragment lies in.
+uint agaa_hostLayer() { return AGAA_LAYERS > 1u ? uint(gl_FragCoord.y) / agaa_frame.size.y : 0u; }
+uvec2 agaa_hostPixel() {
+    uvec2 texel = uvec2(gl_FragCoord.xy);
+    if (AGAA_LAYERS > 1u)
+        texel.y -= agaa_hostLayer() * agaa_frame.size.y;
+    return texel / uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+}
 uint agaa_hostGroup() {
     uvec2 sub = uvec2(gl_FragCoord.xy) % uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
-    return sub.y * AGAA_SCALE_X + sub.x;
+    return AGAA_LAYERS > 1u ? agaa_hostLayer() : sub.y * AGAA_SCALE_X + sub.x;
+}
+
+vec2 agaa_hostLayerCentre() {
+    return agaa_layerCentre(vec2(uintBitsToFloat(AGAA_LAYER_X), uintBitsToFloat(AGAA_LAYER_Y)),
+                            agaa_hostLayer() * AGAA_HW_SAMPLES);
+}
+
+// Returns the point of the image that a point of the target shows, in texels.
+vec2 agaa_shownPoint(vec2 at) {
+    if (AGAA_LAYERS > 1u)
+        at += agaa_hostLayerCentre() - 0.5 - vec2(0.0, float(agaa_hostLayer() * agaa_frame.size.y));
+    return at;
 }
 
 #include "common/alpha_points.glsl"
@@ -130,6 +149,8 @@ vec2 agaa_sampleOffset(uint i) {
 #else
     vec2 position = agaa_sampleLocation(agaa_hostGroup() * AGAA_HW_SAMPLES + i);
 #endif
+    if (AGAA_LAYERS > 1u)
+        return position - agaa_hostLayerCentre();
     return position * vec2(AGAA_SCALE_X, AGAA_SCALE_Y) - vec2(texel) - 0.5;
 }
 
@@ -176,7 +197,7 @@ uint agaa_alphaMask(AgaaSurfaceInput s) {
     if (agaa_isCutout(s.alphaCutoff))
         return agaa_cutoutMask(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
-    return agaa_translucentMask(alpha, AGAA_HW_SAMPLES, agaa_hostGroup(), AGAA_SCALE_X * AGAA_SCALE_Y,
+    return agaa_translucentMask(alpha, AGAA_HW_SAMPLES, agaa_hostGroup(), AGAA_SCALE_X * AGAA_SCALE_Y * AGAA_LAYERS,
                                 agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.ditherFrame));
 }
 

@@ -155,6 +155,8 @@ AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) 
         covered = agaa_coveredOfTexel(p, group, first);
     }
     vec2 centre = (vec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X) + 0.5) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+    if (AGAA_LAYERS > 1u)
+        centre = agaa_layerCentre(vec2(uintBitsToFloat(AGAA_LAYER_X), uintBitsToFloat(AGAA_LAYER_Y)), first);
     bool isWhole = uint(bitCount(covered)) == AGAA_MATERIAL_SAMPLES;
     agaa_evaluateAt(p, pixel, isWhole ? centre : agaa_sampleLocation(findLSB(covered)));
     AgaaMaterial m = agaa_evaluateMaterial(p);

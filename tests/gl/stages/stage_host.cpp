@@ -4,6 +4,7 @@
 #include "plan_view.h"
 
 #include "gl/draw_state.h"
+#include "render/draw_pass.h"
 
 #include <gtest/gtest.h>
 
@@ -357,6 +358,15 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     gl_.BindVertexArray(vertexArray_.get());
     if (state.vertexPulling)
         gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, vertices_.get());
+    for (const std::span<const AgaaViewport> viewports : harness::viewportGroups(target)) {
+        setViewports(gl_, viewports);
+        drawAll(target, state);
+    }
+    gl_.Disable(GL_SCISSOR_TEST);
+    return AGAA_OK;
+}
+
+void StageView::drawAll(const AgaaDrawTarget& target, const AgaaDrawState& state) {
     PassPrograms& programs = programs_.at(target.pipelineKey);
     const glm::mat4 clip = clipMatrix(settings_, target.pass);
     for (const Run& run : runs_.at(target.pass)) {
@@ -376,7 +386,6 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
             gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 8, GLsizei(run.count));
         }
     }
-    return AGAA_OK;
 }
 
 } // namespace agaa::test

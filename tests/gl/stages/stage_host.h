@@ -94,6 +94,7 @@ public:
 private:
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
     AgaaResult draw(const AgaaDrawTarget& target);
+    void drawAll(const AgaaDrawTarget& target, const AgaaDrawState& state);
 
     StageContext& context_;
     const GladGLContext& gl_;

@@ -94,14 +94,18 @@ TEST(Ids, FineMaterialsAreThoseOfAGBuffer) {
               p.at.z * hostVertices.data[6u * p.primitive + 5u].xy;
     m.diffuse = vec3(uv, 0.0);
 )";
-    for (const uint32_t n : {4u, 8u}) { // one texel a pixel, and with fewer samples in each two
+    // One texel a pixel, and with fewer samples in each two, in one layer or in two.
+    for (const auto& [n, visibility] : {std::pair{4u, AGAA_TIER_AUTO}, {8u, AGAA_TIER_AUTO}, {8u, AGAA_TIER_LAYERS}}) {
         ViewSettings settings = settingsFor(n, 1, AGAA_TIER_GBUFFER);
+        settings.config.visibilityTier = visibility;
         settings.shader = ViewSettings::Shader::UvInside;
         StageView raster(context, settings);
         const harness::Image truth = drawn(raster, triangles);
-        const uint32_t texels = raster.plan().view.scaleX * raster.plan().view.scaleY;
+        const ResolvedView& view = raster.plan().view;
+        const uint32_t texels = view.scaleX * view.scaleY * view.layers;
         const auto byId = [&](uint64_t flag, AgaaCounters& counters) {
             ViewSettings own = settingsFor(n, 1, AGAA_TIER_IDS);
+            own.config.visibilityTier = visibility;
             own.config.flags |= flag;
             IdsView ids(context, own, {.triangles = triangles, .material = byWeights});
             const double error = std::pow(10, -compare(truth, ids.render()).psnr / 10);

@@ -1,5 +1,5 @@
-// The state of the sample engine's pipelines for draws whose colours have fewer samples than their depth. No device
-// here has the extensions, so no pipeline is created.
+// The state of the sample engine's pipelines for mixed samples, viewport multicast and sample locations. No device here
+// has the extensions, so no pipeline is created.
 #include "vk/pipeline_state.h"
 
 #include <gtest/gtest.h>
@@ -39,6 +39,21 @@ TEST(PipelineStates, MixedSamplesTruncateCoverage) {
     EXPECT_FALSE(state.depthStencil.depthWriteEnable);
     EXPECT_EQ(state.depthStencil.depthCompareOp, VK_COMPARE_OP_EQUAL);
     EXPECT_TRUE(state.depthStencil.stencilTestEnable) << "the first of equal depths is kept";
+}
+
+TEST(PipelineStates, LayersHaveViewportsAndSampleLocations) {
+    DrawPass<AgaaVkDrawPass> pass = passOf(8, 0, false);
+    EXPECT_EQ(PipelineState(pass, false).viewports, 1u);
+    EXPECT_EQ(PipelineState(pass, false).multisample.pNext, nullptr);
+    pass.state.multicast = 4;
+    pass.state.sampleLocations = 1;
+    const PipelineState state(pass, false);
+    EXPECT_EQ(state.viewports, 4u);
+    ASSERT_EQ(state.multisample.pNext, &state.locations);
+    EXPECT_EQ(state.locations.sType, VK_STRUCTURE_TYPE_PIPELINE_SAMPLE_LOCATIONS_STATE_CREATE_INFO_EXT);
+    EXPECT_EQ(state.locations.pNext, nullptr);
+    EXPECT_TRUE(state.locations.sampleLocationsEnable);
+    EXPECT_EQ(state.locations.sampleLocationsInfo.sType, VK_STRUCTURE_TYPE_SAMPLE_LOCATIONS_INFO_EXT);
 }
 
 TEST(PipelineStates, AdditivePassesAddToAllAttachments) {

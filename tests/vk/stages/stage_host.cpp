@@ -382,9 +382,16 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
         return result->second;
     const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
     PassPipelines& pass = passes_.at(target.pipelineKey);
-    setViewport(commands, target.width, target.height);
     const VkDescriptorSet sets[] = {(VkDescriptorSet)target.descriptorSet, set_.get()};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout.get(), 0, 2, sets, 0, nullptr);
+    for (const std::span<const AgaaViewport> viewports : harness::viewportGroups(target)) {
+        setViewports(commands, viewports);
+        drawAll(target, commands, pass);
+    }
+    return AGAA_OK;
+}
+
+void StageView::drawAll(const AgaaDrawTarget& target, VkCommandBuffer commands, PassPipelines& pass) {
     Push push{clipMatrix(settings_, target.pass), 0};
     const auto pushConstants = [&] {
         vkCmdPushConstants(commands, pass.layout.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof push, &push);
@@ -401,7 +408,6 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
             vkCmdDraw(commands, 8, run.count, 0, run.first);
         }
     }
-    return AGAA_OK;
 }
 
 std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {

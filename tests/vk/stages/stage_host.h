@@ -129,6 +129,7 @@ private:
     };
     void addPass(const harness::DrawPass<AgaaVkDrawPass>& pass);
     VkPipeline pipelineOf(PassPipelines& made, bool isMasked);
+    void drawAll(const AgaaDrawTarget& target, VkCommandBuffer commands, PassPipelines& pass);
 
     StageContext& context_;
     ViewSettings settings_;

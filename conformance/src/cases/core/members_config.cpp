@@ -103,7 +103,8 @@ void addTiers(Suite& suite) {
     addMember(suite, {"AgaaConfig.visibilityTier/enum",
                       "AgaaConfig::visibilityTier",
                       [](ViewParts& p, double x) { p.config.visibilityTier = whole(x); },
-                      {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID},
+                      {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET,
+                       AGAA_TIER_LAYERS, AGAA_TIER_ORDERED_GRID},
                       largeNumbers({}),
                       nullptr,
                       unknown});

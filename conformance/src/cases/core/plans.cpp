@@ -137,9 +137,35 @@ void checkTarget(Test& test, ViewParts& parts) {
                call + ": the size is not the scale times the view's.");
     const bool isOne = needsOneSample(parts.config.technique) || countsCoverage(parts.config);
     const uint32_t promised = isOne ? 1 : parts.config.samples;
+    test.check(t.layers == 1 && t.reserved == 0, call + " says layers where no tier has them.");
     test.check(t.scaleX * t.scaleY * t.samples == promised,
                call + ": a pixel has " + std::to_string(t.scaleX * t.scaleY * t.samples) + " samples where " +
                    std::to_string(promised) + " are promised.");
+}
+
+// A device with 4 samples makes 8, 16 and 32 of them in 2, 4 and 8 layers of the same bytes as a scaled target's.
+void testLayers(Test& test) {
+    for (const uint32_t tier : {AGAA_TIER_LAYERS, AGAA_TIER_NV_MULTICAST})
+        for (const uint32_t samples : {8u, 16u, 32u}) {
+            ViewParts parts(test.sdk, nullptr);
+            parts.caps.sampleCounts = 5;
+            parts.setTechnique("agaa", samples);
+            const auto bytes = [&](uint32_t visibility) {
+                parts.config.visibilityTier = visibility;
+                AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+                surfacesOf(test, parts, &report);
+                return report.totalBytes;
+            };
+            const uint64_t scaled = bytes(AGAA_TIER_SCALED_TARGET), layered = bytes(tier);
+            AgaaTarget t = AGAA_TARGET_INIT;
+            test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, nullptr, &t), "agaaQueryTarget");
+            const std::string what = "agaaQueryTarget with " + std::to_string(samples) + " samples in layers";
+            test.check(t.samples == 4 && t.layers == samples / 4 && t.scaleX == 1 && t.scaleY == 1 && t.reserved == 0,
+                       what + " says another number of layers.");
+            test.check(t.width == parts.desc.width && t.height == parts.desc.height * t.layers,
+                       what + " says another size.");
+            test.check(layered == scaled, what + " takes other bytes than with a scaled target.");
+        }
 }
 
 // The plan is JSON and names what agaaQueryMemory lists.
@@ -310,6 +336,7 @@ void testCapabilities(Test& test) {
 } // namespace
 
 void addPlanCases(Suite& suite) {
+    suite.core("AgaaTarget.reserved/zero", testLayers);
     struct Row {
         const char* name;
         void (*check)(Test&, ViewParts&);

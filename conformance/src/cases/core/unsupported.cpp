@@ -124,15 +124,49 @@ void testGlossWeight(Test& test) {
     testRows(test, {{"glossWeight and no specular light", AGAA_OK, rough, ""}});
 }
 
-void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
-    for (const char* technique :
-         {"single", "msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"})
+// The techniques whose samples are those of the device, and others.
+void testLayeredTier(Test& test, uint32_t tier, const std::string& name) {
+    const auto with = [=](const char* technique, uint32_t samples) {
+        return [=](ViewParts& p) {
+            p.setTechnique(technique, samples);
+            p.config.visibilityTier = tier;
+        };
+    };
+    for (const char* technique : {"msaa", "ssaa", "visibility", "simple_complex", "sbaa", "agaa", "adaptive"})
+        for (const uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
+            testRows(test, {{std::string("\"") + technique + "\", n = " + std::to_string(samples) +
+                                 " and visibilityTier = " + name,
+                             samples == 1 ? unsupported : AGAA_OK, with(technique, samples), ""}});
+    for (const char* technique : {"single", "fxaa", "smaa", "taa", "dcaa", "sgbc"})
         testRows(test, {{std::string("\"") + technique + "\" and visibilityTier = " + name, unsupported,
-                         [=](ViewParts& p) {
-                             p.setTechnique(technique, 4);
-                             p.config.visibilityTier = tier;
-                         },
-                         ""}});
+                         with(technique, 4), ""}});
+    testRows(test, {{"an AgaaGBufferFunction and visibilityTier = " + name, unsupported,
+                     [=](ViewParts& p) {
+                         p.config.visibilityTier = tier;
+                         p.chain(p.gbuffer);
+                     },
+                     ""},
+                    {"n = 16 of samples of one and visibilityTier = " + name, unsupported,
+                     [=](ViewParts& p) {
+                         p.setTechnique("agaa", 16);
+                         p.config.visibilityTier = tier;
+                         p.caps.sampleCounts = 1;
+                     },
+                     ""}});
+}
+
+void testMulticast(Test& test) {
+    testLayeredTier(test, AGAA_TIER_NV_MULTICAST, "AGAA_TIER_NV_MULTICAST");
+    const auto without = [](uint64_t flag) {
+        return [=](ViewParts& p) {
+            p.config.visibilityTier = AGAA_TIER_NV_MULTICAST;
+            p.caps.flags &= ~flag;
+        };
+    };
+    testRows(test, {{"AGAA_TIER_NV_MULTICAST without AGAA_DEVICE_NV_MULTICAST", unsupported,
+                     without(AGAA_DEVICE_NV_MULTICAST), ""},
+                    {"AGAA_TIER_NV_MULTICAST without AGAA_DEVICE_SAMPLE_LOCATIONS", AGAA_OK,
+                     without(AGAA_DEVICE_SAMPLE_LOCATIONS), ""}});
 }
 
 // Tests a tier of the other stage.
@@ -610,10 +644,9 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AgaaNdf/AGAA_ERROR_UNSUPPORTED", testNdf);
     suite.core("AgaaAggregation.litShadows/AGAA_ERROR_UNSUPPORTED", testLitShadows);
     suite.core("AgaaAggregation.glossWeight/AGAA_ERROR_UNSUPPORTED", testGlossWeight);
-    suite.core("AGAA_TIER_NV_MULTICAST/AGAA_ERROR_UNSUPPORTED",
-               [](Test& test) { testReservedTier(test, AGAA_TIER_NV_MULTICAST, "AGAA_TIER_NV_MULTICAST"); });
+    suite.core("AGAA_TIER_NV_MULTICAST/AGAA_ERROR_UNSUPPORTED", testMulticast);
     suite.core("AGAA_TIER_LAYERS/AGAA_ERROR_UNSUPPORTED",
-               [](Test& test) { testReservedTier(test, AGAA_TIER_LAYERS, "AGAA_TIER_LAYERS"); });
+               [](Test& test) { testLayeredTier(test, AGAA_TIER_LAYERS, "AGAA_TIER_LAYERS"); });
     suite.core("AGAA_TIER_NV_MIXED_SAMPLES/AGAA_ERROR_UNSUPPORTED/queries", testMixedSamples);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_stage", testOtherStage);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_technique", testOtherTechnique);

@@ -193,8 +193,11 @@ void addOthers(Rows& rows) {
                     [](ViewParts& p) { p.config.technique = "mlaa"; }});
     rows.push_back(
         {"AgaaConfig::technique = \"\"", AGAA_ERROR_UNSUPPORTED, "", [](ViewParts& p) { p.config.technique = ""; }});
-    rows.push_back({"AgaaConfig::visibilityTier = AGAA_TIER_LAYERS", AGAA_ERROR_UNSUPPORTED, "layers",
-                    [](ViewParts& p) { p.config.visibilityTier = AGAA_TIER_LAYERS; }});
+    rows.push_back(
+        {"AgaaConfig::visibilityTier = AGAA_TIER_LAYERS and n = 1", AGAA_ERROR_UNSUPPORTED, "layers", [](ViewParts& p) {
+             p.config.samples = 1;
+             p.config.visibilityTier = AGAA_TIER_LAYERS;
+         }});
     rows.push_back(
         {"\"msaa\" and AGAA_FACT_CUSTOM_DEPTH", AGAA_ERROR_UNSUPPORTED, "AGAA_FACT_CUSTOM_DEPTH", [](ViewParts& p) {
              p.config.technique = "msaa";

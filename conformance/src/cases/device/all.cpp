@@ -23,6 +23,7 @@ Suite makeSuite() {
     addOpenGlPendingErrorCases(suite);
     addOtherApiCases(suite);
     addVulkanTierCases(suite);
+    addVulkanLayerCases(suite);
     addOpenGlUnsupportedCases(suite);
     addVulkanUnsupportedCases(suite);
     addVulkanCapsCases(suite);

@@ -21,6 +21,7 @@ void addOpenGlStateCallbackCases(Suite& suite);
 void addOpenGlPendingErrorCases(Suite& suite);
 void addOtherApiCases(Suite& suite);
 void addVulkanTierCases(Suite& suite);
+void addVulkanLayerCases(Suite& suite);
 void addOpenGlUnsupportedCases(Suite& suite);
 void addVulkanUnsupportedCases(Suite& suite);
 void addVulkanCapsCases(Suite& suite);

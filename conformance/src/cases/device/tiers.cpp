@@ -5,6 +5,8 @@
 #include "cases/core/view_parts.h"
 #include "frame_rig.h"
 
+#include <cmath>
+
 namespace agaa::conformance {
 
 namespace {
@@ -72,6 +74,41 @@ void testMixedImage(Test& test) {
     }
 }
 
+// The left edge of a rectangle is 3/32 of a pixel inside. If 4 standard samples move by 1/16 of a pixel to both sides,
+// one of the 8 is left of it. Samples of a scaled target, and those of layers without an offset, are all right of it.
+void testLayeredImage(Test& test) {
+    bool isPlaced = false;
+    const auto image = [&](uint32_t tier) {
+        Rig rig(test, [&](ViewDescription& d) {
+            setTechnique(d, "agaa", 8);
+            d.config.visibilityTier = tier;
+        });
+        AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+        test.requireOk(test.device().getContextCaps(test.sdk, rig.context.get(), &caps), "the context's capabilities");
+        isPlaced = caps.flags & AGAA_DEVICE_SAMPLE_LOCATIONS;
+        if (!(caps.sampleCounts & 4))
+            test.skip("the device lacks 4 samples.");
+        const AgaaViewDesc& desc = rig.description().desc;
+        Surface surface;
+        surface.emissive[0] = 1;
+        rig.scene.clear();
+        addRectangle(rig.scene, desc.width, desc.height, 3 + 3.0f / 32, 2, float(desc.width) - 4,
+                     float(desc.height) - 3, 5, surface);
+        return rig.render();
+    };
+    const Image layers = image(AGAA_TIER_LAYERS), scaled = image(AGAA_TIER_SCALED_TARGET);
+    test.require(layers.size() == scaled.size(), "the tiers LAYERS and SCALED_TARGET have images of one size");
+    const size_t width = 32, row = 8 * width;
+    const float inside = scaled[4 * (row + 10)], edge = layers[4 * (row + 3)] / inside;
+    const float expected = isPlaced ? 1 : 7.0f / 8;
+    test.check(std::fabs(scaled[4 * (row + 3)] / inside - 1) < 1e-3f, "SCALED_TARGET misses samples at the edge.");
+    test.check(std::fabs(edge - expected) < 1e-3f,
+               "LAYERS covers " + std::to_string(edge) + " of a pixel in place of " + std::to_string(expected) + ".");
+    for (size_t x = 4; x < 28; ++x)
+        test.check(std::fabs(layers[4 * (row + x)] - scaled[4 * (row + x)]) < 1e-3f * inside,
+                   "LAYERS differs from SCALED_TARGET inside of a surface.");
+}
+
 void testSampleCounts(Test& test) {
     ScopedContext context(test);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
@@ -118,6 +155,7 @@ void testLightsOfBlocks(Test& test) {
 void addTierCases(Suite& suite) {
     suite.both("AGAA_TIER_NV_MIXED_SAMPLES/AGAA_ERROR_UNSUPPORTED", testMixedSamples);
     suite.both("AGAA_TIER_NV_MIXED_SAMPLES/same_image", testMixedImage);
+    suite.both("AGAA_TIER_LAYERS/image", testLayeredImage);
     suite.both("AgaaDeviceCaps.sampleCounts/AGAA_ERROR_UNSUPPORTED", testSampleCounts);
     suite.add("AgaaSceneFacts.maxLights/AGAA_ERROR_UNSUPPORTED", {Backend::OpenGl}, testLightsOfBlocks);
 }

@@ -42,6 +42,64 @@ template <Function id, class... Arguments> struct Result<id, VkResult(VKAPI_PTR*
     }
 };
 
+// ---- sample locations ------------------------------------------------------------------------------
+
+bool fakesLocations() { return VulkanInterposer::current && VulkanInterposer::current->sampleLocations.isFaked; }
+
+constexpr VkImageCreateFlags locationsFlag = VK_IMAGE_CREATE_SAMPLE_LOCATIONS_COMPATIBLE_DEPTH_BIT_EXT;
+template <class Info> const Info* withoutLocations(const Info* info, Info&) { return info; }
+const VkImageCreateInfo* withoutLocations(const VkImageCreateInfo* info, VkImageCreateInfo& plain) {
+    if (!fakesLocations() || !(info->flags & locationsFlag))
+        return info;
+    ++VulkanInterposer::current->sampleLocations.images;
+    plain = *info;
+    plain.flags &= ~locationsFlag;
+    return &plain;
+}
+
+void changeLocations(VkPhysicalDeviceProperties2& properties) {
+    if (!fakesLocations())
+        return;
+    const VulkanInterposer::SampleLocations& faked = VulkanInterposer::current->sampleLocations;
+    for (auto* next = static_cast<VkBaseOutStructure*>(properties.pNext); next; next = next->pNext)
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SAMPLE_LOCATIONS_PROPERTIES_EXT) {
+            auto* out = reinterpret_cast<VkPhysicalDeviceSampleLocationsPropertiesEXT*>(next);
+            out->sampleLocationSampleCounts = faked.counts;
+            out->maxSampleLocationGridSize = {1, 1};
+            out->sampleLocationCoordinateRange[0] = 0;
+            out->sampleLocationCoordinateRange[1] = faked.highest;
+            out->sampleLocationSubPixelBits = faked.subPixelBits;
+            out->variableSampleLocations = faked.areVariable;
+        }
+}
+
+VKAPI_ATTR void VKAPI_CALL setLocations(VkCommandBuffer, const VkSampleLocationsInfoEXT* info) {
+    VulkanInterposer::current->sampleLocations.sets.emplace_back(info->pSampleLocations,
+                                                                 info->pSampleLocations + info->sampleLocationsCount);
+}
+
+PFN_vkCmdPipelineBarrier realBarrier = nullptr;
+VKAPI_ATTR void VKAPI_CALL barrier(VkCommandBuffer commands, VkPipelineStageFlags source,
+                                   VkPipelineStageFlags destination, VkDependencyFlags flags, uint32_t memoryCount,
+                                   const VkMemoryBarrier* memory, uint32_t bufferCount,
+                                   const VkBufferMemoryBarrier* buffers, uint32_t imageCount,
+                                   const VkImageMemoryBarrier* images) {
+    std::vector<VkImageMemoryBarrier> plain(images, images + imageCount);
+    for (VkImageMemoryBarrier& image : plain) {
+        if (!fakesLocations())
+            break;
+        const auto* info = static_cast<const VkSampleLocationsInfoEXT*>(image.pNext);
+        if (image.oldLayout == VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL) {
+            auto& locations = VulkanInterposer::current->sampleLocations.transitions.emplace_back();
+            if (info)
+                locations.assign(info->pSampleLocations, info->pSampleLocations + info->sampleLocationsCount);
+        }
+        image.pNext = nullptr;
+    }
+    realBarrier(commands, source, destination, flags, memoryCount, memory, bufferCount, buffers, imageCount,
+                plain.data());
+}
+
 template <Function id, class Info, class Handle> struct Create {
     static inline VkResult(VKAPI_PTR* real)(VkDevice, const Info*, const VkAllocationCallbacks*, Handle*) = nullptr;
     static inline void(VKAPI_PTR* realDestroy)(VkDevice, Handle, const VkAllocationCallbacks*) = nullptr;
@@ -52,7 +110,8 @@ template <Function id, class Info, class Handle> struct Create {
         VkResult error;
         if (failsNow(name, error))
             return error;
-        const VkResult result = real(device, info, callbacks, out);
+        Info plain{};
+        const VkResult result = real(device, withoutLocations(info, plain), callbacks, out);
         countNow(kind, result == VK_SUCCESS);
         return result;
     }
@@ -127,6 +186,7 @@ VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice device, VkPhysicalDeviceP
 VKAPI_ATTR void VKAPI_CALL properties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* out) {
     realProperties2(device, out);
     change(out->properties);
+    changeLocations(*out);
 }
 VKAPI_ATTR void VKAPI_CALL families(VkPhysicalDevice device, uint32_t* count, VkQueueFamilyProperties* out) {
     realFamilies(device, count, out);
@@ -146,6 +206,8 @@ VKAPI_ATTR VkResult VKAPI_CALL formats(VkPhysicalDevice device, VkFormat format,
     VkResult error;
     if (failsNow("vkGetPhysicalDeviceImageFormatProperties", error))
         return error;
+    if (fakesLocations())
+        flags &= ~locationsFlag;
     return lacksFormats() ? VK_ERROR_FORMAT_NOT_SUPPORTED
                           : realFormats(device, format, type, tiling, usage, flags, out);
 }
@@ -217,8 +279,12 @@ PFN_vkVoidFunction interpose(const std::string& name, PFN_vkVoidFunction found) 
         VulkanInterposer::current->requested.insert(name);
     if (name == mixedSamplesCall && VulkanInterposer::current && !VulkanInterposer::current->mixedSamples.empty())
         return reinterpret_cast<PFN_vkVoidFunction>(mixedSamples);
+    if (name == "vkCmdSetSampleLocationsEXT" && fakesLocations())
+        return reinterpret_cast<PFN_vkVoidFunction>(setLocations);
     if (!found || (VulkanInterposer::current && VulkanInterposer::current->missing.count(name)))
         return nullptr;
+    if (name == "vkCmdPipelineBarrier")
+        return replace(realBarrier, found, barrier);
     if (name == "vkEnumerateDeviceExtensionProperties")
         return replace(realExtensions, found, extensions);
     if (name == "vkGetPhysicalDeviceFeatures2")

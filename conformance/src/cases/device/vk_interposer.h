@@ -34,6 +34,18 @@ public:
     std::function<void(VkPhysicalDeviceFeatures2&)> changeFeatures; // with their chain
     // vkGetPhysicalDeviceSupportedFramebufferMixedSamplesCombinationsNV returns these, unless the list is empty.
     std::vector<VkFramebufferMixedSamplesCombinationNV> mixedSamples;
+    // A device with VK_EXT_sample_locations. What the SDK asks of it is recorded, and Vulkan sees none of it.
+    struct SampleLocations {
+        bool isFaked = false;
+        uint32_t subPixelBits = 4;
+        float highest = 15.0f / 16;                         // coordinate
+        VkSampleCountFlags counts = 0x1F;                   // of samples that can be placed
+        std::vector<std::vector<VkSampleLocationEXT>> sets; // of vkCmdSetSampleLocationsEXT
+        uint32_t images = 0;                                // whose depth may lie at set locations
+        bool areVariable = true;                            // within a render pass
+        // The locations of image barriers that leave the layout of a depth attachment; empty if a barrier has none.
+        std::vector<std::vector<VkSampleLocationEXT>> transitions;
+    } sampleLocations;
     bool hasImageFormats = true; // false: the device supports images of no format
 
     // Called by the functions that replace Vulkan's.
