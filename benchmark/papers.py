@@ -96,15 +96,16 @@ def measure(arguments):
 RULES = ("Verdicts follow from the numbers. A claim about all scenes holds if all of them agree, and in part if more than half "
          "do. Bytes and numbers of samples hold up to 5 % above the paper's, and in part up to 25 % above. A saving "
          "of memory holds down to 2 percentage points below the paper's, and in part if there is one. An error is close or "
-         "similar to another if it is at most 1.25 times it. Decibels hold down to 1 below the paper's, and in part down to "
-         "6 below. Times cannot be measured here, because those of software rasterisers say nothing of a GPU's.")
+         "similar to another if it is at most 1.25 times it, and the same if it differs by less than 0.1 %. Decibels hold "
+         "down to 1 below the paper's, and in part down to 6 below. Times cannot be measured here, because those of software "
+         "rasterisers say nothing of a GPU's.")
 
 
 def page(data):
     lines = ["# Claims of the papers", "",
              "Written by `benchmark/papers.py` from `docs/results/lavapipe/papers.json`, which it measured on "
              f"{data['device']}: the scenes {', '.join(s['scene'] for s in data['scenes'])}, {data['size']}. Errors are "
-             "mean squares after tone mapping. The scenes are our own; those of the papers are not at hand.", "", RULES]
+             "mean squares after tone mapping. The papers' own scenes are not at hand.", "", RULES]
     for section in SECTIONS:
         lines += ["", f"## {section.TITLE}", "", section.TEXT, ""]
         lines += table(["place", "claim", "ours", "verdict"],

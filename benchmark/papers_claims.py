@@ -83,6 +83,16 @@ def errors_claim(group, row, base, what, limit=1):
     return found
 
 
+def same_claim(group, row, base, what):
+    """The row's error differs from the base's by less than 0.1 %."""
+    def found(data):
+        values = ratios(data, group, row, base)
+        count = sum(abs(value - 1) < 0.001 for value in values)
+        return (f"{what}: median {statistics.median(values):.3f}, the same in {count} of {len(values)} scenes",
+                verdict_of_share(count, len(values)))
+    return found
+
+
 def steps_claim(group, rows, what):
     """The error falls with each step from row to row."""
     def found(data):

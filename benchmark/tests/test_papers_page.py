@@ -69,6 +69,26 @@ class Verdicts(unittest.TestCase):
                          [claims.HOLDS, claims.PART, claims.FAILS])
         self.assertEqual(claims.steps_claim("g", ["b", "a"], "ratio")(scenes(0.5, 1.5))[1], claims.FAILS)
 
+    def test_the_same_error(self):
+        same = claims.same_claim("g", "a", "b", "ratio")
+        self.assertEqual([same(scenes(*values))[1] for values in ((1, 0.9995), (1, 1, 1.01), (1, 0.99))],
+                         [claims.HOLDS, claims.PART, claims.FAILS])
+
+    def test_shadow_taps_are_similar_up_to_a_quarter_more_error(self):
+        for (_, _, found), row in zip(papers_agaa.shadow_claims(), ("along depth", "stored depth")):
+            verdicts = [found(scenes(*values, group="phong", row=f"agaa 2 {row}", base="agaa 2"))[1]
+                        for values in ((0.9, 1.2), (1.2, 1.2, 1.3), (1.3, 1.3))]
+            self.assertEqual(verdicts, [claims.HOLDS, claims.PART, claims.FAILS], row)
+
+    def test_light_lowers_errors_and_its_events_are_named(self):
+        for values, expected in (((0.5, 0.9), claims.HOLDS), ((0.5, 0.5, 2), claims.PART), ((2, 2), claims.FAILS)):
+            data = scenes(*values, group="grid 3x3", row="light", base="default")
+            for scene in data["scenes"]:
+                scene["grid 3x3"]["light"]["events"], scene["grid 3x3"]["default"]["events"] = 110, 100
+            text, verdict = papers_adaptive.light_claim(data)
+            self.assertEqual(verdict, expected)
+            self.assertIn("110 % of the shading events", text)
+
     def test_decibels_are_those_of_the_adaptive_paper(self):
         for _, mse, decibels, _ in papers_adaptive.TABLE:
             self.assertAlmostEqual(claims.decibels(float(mse)), decibels, delta=0.02)
