@@ -160,14 +160,14 @@ typedef struct AgaaSurface {
     uint32_t structSize;
     void* pNext;
     char name[48];
-    char format[32];        /* empty for buffers */
-    uint32_t width, height; /* texels; 0 for buffers */
+    char format[32];          /* empty for buffers */
+    uint32_t width, height;   /* texels; 0 for buffers */
     uint32_t samples, layers; /* layers: of the image, an array if there are several */
     /* Texels per pixel; 0 for buffers, and for images whose size is not that of the target. With the tiers LAYERS and
      * NV_MULTICAST, scaleY is AgaaTarget::layers: the rows of layer i begin at i times the height of the frame. */
     uint32_t scaleX, scaleY;
-    uint64_t bytes;          /* payload of all copies */
-    uint32_t isPerPixel;     /* 0: constants, tables, uploads and read-back, which do not grow with the target */
+    uint64_t bytes;               /* payload of all copies */
+    uint32_t isPerPixel;          /* 0: constants, tables, uploads and read-back, which do not grow with the target */
     uint32_t firstPass, lastPass; /* the surface is in use from pass firstPass to pass lastPass of the plan */
     uint32_t reserved;
 } AgaaSurface;
