@@ -109,41 +109,65 @@ Words compile(const std::string& path, const std::string& text, const std::strin
     return words;
 }
 
-Words optimised(const Words& words, const std::vector<std::string>& passes, const std::string& name) {
+// Calls visit(op, operands) for each instruction until it returns true, and returns whether it did.
+template <typename Word, typename Visit> bool anyInstruction(std::span<Word> spirv, const Visit& visit) {
+    constexpr size_t header = 5;
+    for (size_t at = header; at < spirv.size();) {
+        const size_t words = std::max(spirv[at] >> 16, 1u);
+        if (visit(spirv[at] & 0xFFFF, spirv.subspan(at + 1, std::min(words, spirv.size() - at) - 1)))
+            return true;
+        at += words;
+    }
+    return false;
+}
+
+// Sets or clears the bit DontInline of functions with several returns. SPIRV-Tools inlines none of them, but without
+// the bit it prints the whole module for a warning at each of their calls, which takes three quarters of its time.
+void markAsNotInlined(Words& words, bool mark) {
+    enum Op : uint32_t { Function = 54, FunctionEnd = 56, Return = 253, ReturnValue = 254 };
+    constexpr uint32_t dontInline = 2;
+    uint32_t* control = nullptr;
+    int returns = 0;
+    anyInstruction(std::span(words), [&](uint32_t op, std::span<uint32_t> operands) {
+        if (op == Function) {
+            control = &operands[2];
+            returns = 0;
+        } else if (op == Return || op == ReturnValue) {
+            ++returns;
+        } else if (op == FunctionEnd && returns > 1) {
+            *control = mark ? *control | dontInline : *control & ~dontInline;
+        }
+        return false;
+    });
+}
+
+Words optimised(Words words, const std::vector<std::string>& passes, const std::string& name) {
+    markAsNotInlined(words, true);
     spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
     std::string errors;
     optimizer.SetMessageConsumer([&](spv_message_level_t level, const char*, const spv_position_t&, const char* text) {
-        if (level <= SPV_MSG_ERROR) // it warns of each function that is not inlined
+        if (level <= SPV_MSG_ERROR)
             errors += std::string(text) + "\n";
     });
     Words result;
     if (!optimizer.RegisterPassesFromFlags(passes) || !optimizer.Run(words.data(), words.size(), &result))
         fail(name + " cannot be optimised:\n" + errors);
+    markAsNotInlined(result, false);
     return result;
 }
 
 // Returns whether the module uses its specialisation constant of this id.
 bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId) {
     enum Op : uint32_t { Source = 3, Line = 8, Constant = 43, SpecConstant = 50, Decorate = 71 };
-    constexpr uint32_t header = 5, decoratesSpecId = 1;
-    // Calls visit(op, operands) for each instruction until it returns true.
-    const auto any = [&](const auto& visit) {
-        for (size_t at = header; at < spirv.size();) {
-            const size_t words = std::max(spirv[at] >> 16, 1u);
-            if (visit(spirv[at] & 0xFFFF, spirv.subspan(at + 1, std::min(words, spirv.size() - at) - 1)))
-                return true;
-            at += words;
-        }
-        return false;
-    };
+    constexpr uint32_t decoratesSpecId = 1;
     uint32_t id = 0;
-    any([&](uint32_t op, std::span<const uint32_t> operands) {
+    anyInstruction(spirv, [&](uint32_t op, std::span<const uint32_t> operands) {
         if (op == Decorate && operands.size() == 3 && operands[1] == decoratesSpecId && operands[2] == specId)
             id = operands[0];
         return id != 0;
     });
     // Debug instructions and constants contain words that may equal the id without using it.
-    return id != 0 && any([&](uint32_t op, std::span<const uint32_t> operands) {
+    return id != 0 && anyInstruction(spirv, [&](uint32_t op, std::span<const uint32_t> operands) {
                return !(op >= Source && op <= Line) && op != Constant && op != SpecConstant && op != Decorate &&
                       std::ranges::find(operands, id) != operands.end();
            });
