@@ -21,7 +21,7 @@ CORE = ["single-1", "fxaa-1", "smaa-1", "taa-1", "msaa-8", "ssaa-4", "simple_com
         "simple_complex-8", "ssaa-32", "visibility-32", "simple_complex-32", "sbaa-8-2", "agaa-4-2", "agaa-8-2", "agaa-32-2",
         "agaa-8-2-gbuffer", "agaa-8-2-ids", "agaa-32-2-gbuffer", "agaa-32-2-ids", "agaa-8-fast-gbuffer", "agaa-8-fast-ids",
         "agaa-8-balanced-gbuffer", "agaa-8-balanced-ids", "agaa-8-accurate-ids", "agaa-32-accurate-gbuffer",
-        "agaa-32-accurate-ids", "dcaa-64-4", "dcaa-64-exact", "agaa-64-2-fragments", "adaptive-8-device", "adaptive-9"]
+        "agaa-32-accurate-ids", "dcaa-64-4", "dcaa-64-exact", "sgbc-32-4", "sgbc-64-4", "agaa-64-2-fragments", "adaptive-8-device", "adaptive-9"]
 CORE += [f"{row}-cost{cost}{tier}" for cost in (4, 16) for row, tier in (("ssaa-8", ""), ("visibility-8", ""), ("agaa-8-2", "-ids"))]
 # This scene has all effects, emission and normal maps included, so that each is measured with and without need for it.
 PLAIN = "city"

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Replaces rows of a sweep by those of a later one, which measured few rows again.
+"""Replaces rows of a sweep by those of a later one, which measured few rows again, and adds rows that it lacks.
 
 usage: renew_rows.py RESULTS.json LATER.json ROW... OUT.json
 
 The sweeps are of the same scenes, size, references and devices. Times of the later rows are scaled by the frame of `single`
-in both, so that rows of one scene compare. A replaced row names its build. Its images are copied from the folder of LATER
+in both, so that rows of one scene compare. A row of the later sweep names its build. Its images are copied from the folder of LATER
 to that of OUT.
 """
 import json
@@ -60,15 +60,18 @@ def renew_scene(scene, later, names):
     for name in names:
         old = [i for i, row in enumerate(scene["rows"]) if is_named(row, name)]
         new = [row for row in later["rows"] if is_named(row, name)]
-        if len(old) != 1 or len(new) != 1:
+        if len(old) > 1 or len(new) != 1:
             raise ValueError(f"{scene['name']} has {len(old)} rows of the name {name}, and {len(new)} later ones; one is needed")
-        scene["rows"][old[0]] = renewed(new[0], factor, later.get("build"))
-        yield scene["rows"][old[0]]
+        row = renewed(new[0], factor, later.get("build"))
+        at = old[0] if old else len(scene["rows"])
+        scene["rows"][at:at + 1] = [row]
+        yield row
 
 
 def renew(results, later, names):
-    """Replaces the rows, and returns the new ones."""
+    """Replaces or adds the rows, and returns the new ones."""
     check_alike("the sweep", results, later, ("size",))
+    results["rows"] = results.get("rows", []) + [name for name in names if name not in results.get("rows", [])]
     rows = []
     for backend in results["backends"]:
         others = next((each for each in later["backends"] if each["backend"] == backend["backend"]), {"scenes": []})

@@ -45,6 +45,16 @@ class Renewed(unittest.TestCase):
         others = before["backends"][0]["scenes"][0]["rows"]
         self.assertEqual([rows[i] for i in (0, 2, 3)], [others[i] for i in (0, 2, 3)])
 
+    def test_a_row_is_added_that_is_absent(self):
+        first, later = results(10, 100, "old"), results(20, 120, "new")
+        before = copy.deepcopy(first)
+        later["backends"][0]["scenes"][0]["rows"].append(row("sgbc", 64, 4, 50, "lists"))
+        new = renew_rows.renew(first, later, ["sgbc-64-4"])
+        rows = first["backends"][0]["scenes"][0]["rows"]
+        self.assertEqual(rows, before["backends"][0]["scenes"][0]["rows"] + new)
+        self.assertEqual((new[0]["frameMs"]["median"], new[0]["build"]), (25, "new"))
+        self.assertEqual(first["rows"], ["sgbc-64-4"])
+
     def test_names_may_have_a_cost_and_a_tier(self):
         first = results(10, 100, "old")
         renew_rows.renew(first, results(10, 200, "new"), ["dcaa-64-4-cost4", "agaa-8-2-ids"])
@@ -72,7 +82,7 @@ class Renewed(unittest.TestCase):
                 return done.stderr
         good = results(10, 100, "old")
         self.assertEqual(run(good, good, "dcaa-64-4"), "")
-        self.assertIn("metal has 0 rows of the name dcaa-32-4", run(good, good, "dcaa-32-4"))
+        self.assertIn("metal has 0 rows of the name dcaa-32-4, and 0 later ones", run(good, good, "dcaa-32-4"))
         self.assertIn("size differs, 8x8 and 9x9", run(good, {**good, "size": "9x9"}, "dcaa-64-4"))
         self.assertIn("lacks metal", run(good, {**good, "backends": []}, "dcaa-64-4"))
         for member, wrong in (("lights", 1), ("reference", {"spp": 4}), ("rows", [])):
