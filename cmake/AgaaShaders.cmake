@@ -1,10 +1,9 @@
-# Shaders in the library: passes as compressed SPIR-V, one array a permutation; host GLSL as text.
+# Shaders in the library: passes as compressed SPIR-V, one array a permutation.
 # These passes make pipelines up to nine times faster to create. glslang's own list (-Os) also merges returns and
 # simplifies, for which GPUs need more registers (docs/results/compiled.md).
 set(AGAA_SPIRV_PASSES --inline-entry-points-exhaustive --eliminate-dead-functions --scalar-replacement=100
     --convert-local-access-chains --eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite
     --eliminate-dead-code-aggressive --strip-debug)
-set(AGAA_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
 
 # agaa_compile_pass(OUT_LIST FILE NAME:MACRO=VALUE:…...): adds commands that compile permutations of a pass, and appends
 # the include files of their arrays to OUT_LIST.
@@ -15,8 +14,9 @@ function(agaa_compile_pass out_list file)
   list(JOIN AGAA_SPIRV_PASSES , optimisations)
   list(LENGTH ARGN count)
   math(EXPR last "${count} - 1")
-  foreach(begin RANGE 0 ${last} 8)
-    list(SUBLIST ARGN ${begin} 8 permutations)
+  # Permutations of one process are compressed by their differences; several processes compile at the same time.
+  foreach(begin RANGE 0 ${last} 24)
+    list(SUBLIST ARGN ${begin} 24 permutations)
     string(REGEX REPLACE ":[^;]*" "" names "${permutations}")
     list(GET names 0 first)
     list(TRANSFORM names REPLACE "(.+)" "${folder}/\\1.inc" OUTPUT_VARIABLE arrays)
@@ -31,14 +31,4 @@ function(agaa_compile_pass out_list file)
     list(APPEND ${out_list} ${arrays})
   endforeach()
   set(${out_list} ${${out_list}} PARENT_SCOPE)
-endfunction()
-
-# agaa_embed_text(OUTPUT BASE FILES...): a C++ include file of {"path", R"(text)"} rows.
-function(agaa_embed_text output base)
-  add_custom_command(
-    OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} "-DOUTPUT=${output}" "-DBASE=${base}" "-DFILES=${ARGN}" -P
-            ${AGAA_EMBED_SCRIPT}
-    DEPENDS ${ARGN} ${AGAA_EMBED_SCRIPT}
-    COMMENT "Embedding text" VERBATIM)
 endfunction()

@@ -1,14 +1,18 @@
-// Compiles permutations of a pass to SPIR-V, optimises and compresses them, and writes each into a C++ include file for
-// core/base/embedded.cpp. One process compiles several, because glslang takes longer to start than most passes to
-// compile.
+// Compiles permutations of a pass to SPIR-V, optimises, encodes (core/base/spirv_code.h) and compresses them, and
+// writes each into a C++ include file for core/base/embedded.cpp. Permutations are compressed by their differences to
+// the first one of the process.
 //
 // usage: agaa-compile-passes SHADER OUTPUT_FOLDER DEPFILE INCLUDE_FOLDERS OPTIMISATIONS PERMUTATION…
 // Lists have commas. A permutation is NAME:MACRO=VALUE:MACRO=VALUE…; its file is OUTPUT_FOLDER/NAME.inc.
+#include "array_text.h"
+#include "encode.h"
+
+#include "core/base/spirv_code.h"
+
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv-tools/optimizer.hpp>
-#include <zstd.h>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +23,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,6 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<uint32_t>;
+using Bytes = std::vector<uint8_t>;
 
 [[noreturn]] void fail(const std::string& sentence) {
     std::fprintf(stderr, "agaa-compile-passes: %s\n", sentence.c_str());
@@ -173,43 +180,32 @@ bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId) {
            });
 }
 
-std::vector<unsigned char> compressed(const Words& words) {
-    constexpr int level = 19;
-    const size_t bytes = words.size() * sizeof(uint32_t);
-    std::vector<unsigned char> out(ZSTD_compressBound(bytes));
-    const size_t size = ZSTD_compress(out.data(), out.size(), words.data(), bytes, level);
-    if (ZSTD_isError(size))
-        fail(std::string("zstd: ") + ZSTD_getErrorName(size) + ".");
-    out.resize(size);
-    return out;
-}
+struct Base {
+    std::string name; // empty if the module is the base
+    Bytes code;
+};
 
-void append(std::string& text, uint64_t value) {
-    char number[32];
-    std::snprintf(number, sizeof number, "0x%llxull,", static_cast<unsigned long long>(value));
-    text += number;
-}
-
-void writeModule(const fs::path& path, const std::string& name, const Words& words) {
-    const std::vector<unsigned char> bytes = compressed(words);
-    std::string text = "constexpr uint64_t spirv_" + name + "[] = {";
-    for (size_t i = 0; i < bytes.size(); i += sizeof(uint64_t)) {
-        uint64_t value = 0;
-        for (size_t k = i; k < std::min(i + sizeof value, bytes.size()); ++k)
-            value |= uint64_t(bytes[k]) << 8 * (k - i); // the library runs on little-endian machines
-        append(text, value);
-    }
+// Writes the module, and makes it the base if there is none.
+void writeModule(const fs::path& path, const std::string& name, const Words& spirv, Base& base) {
+    const EncodedModule module = encoded(spirv);
+    if (agaa::decodedSpirv(module.code) != module.words)
+        fail(name + " is not the same when it is decoded.");
+    const Bytes bytes = compressed(module.code, base.code);
     std::array<uint64_t, 2> constants{};
     for (uint32_t id = 0; id < 64 * constants.size(); ++id)
-        constants[id / 64] |= uint64_t(readsConstant(words, id)) << id % 64;
-    text += "};\nconstexpr SpirvModule module_" + name + " = {\"" + name + "\", spirv_" + name + ", " +
-            std::to_string(bytes.size()) + ", " + std::to_string(words.size()) + ", {";
+        constants[id / 64] |= uint64_t(readsConstant(module.words, id)) << id % 64;
+    std::string text = arrayText("spirv_" + name, bytes) + "constexpr SpirvModule module_" + name + " = {\"" + name +
+                       "\", spirv_" + name + ", " + std::to_string(bytes.size()) + ", " +
+                       std::to_string(module.code.size()) + ", " +
+                       (base.name.empty() ? "nullptr" : "&module_" + base.name) + ", {";
     for (const uint64_t each : constants)
         append(text, each);
     std::ofstream file(path, std::ios::binary);
     file << text << "}};\n";
     if (!file.flush())
         fail("The file " + path.string() + " cannot be written.");
+    if (base.name.empty())
+        base = {name, module.code};
 }
 
 } // namespace
@@ -224,6 +220,7 @@ int main(int count, char** arguments) {
     Includer includer(split(arguments[4], ','));
     glslang::InitializeProcess();
     std::string outputs;
+    Base base;
     for (int i = 6; i < count; ++i) {
         const std::vector<std::string> parts = split(arguments[i], ':');
         const std::string& name = parts[0];
@@ -232,7 +229,11 @@ int main(int count, char** arguments) {
             preamble += "#define " + parts[k].substr(0, parts[k].find('=')) + " " +
                         parts[k].substr(parts[k].find('=') + 1) + "\n";
         const fs::path output = folder / (name + ".inc");
-        writeModule(output, name, optimised(compile(shader, text, preamble, includer), passes, name));
+        try {
+            writeModule(output, name, optimised(compile(shader, text, preamble, includer), passes, name), base);
+        } catch (const std::runtime_error& error) {
+            fail(name + ": " + error.what() + ".");
+        }
         outputs += output.string() + " ";
     }
     glslang::FinalizeProcess();

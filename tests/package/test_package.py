@@ -75,6 +75,13 @@ class Contents(unittest.TestCase):
                 self.assertNotIn(str(place), path.read_text(), path)
             self.assertNotIn("agaa_objects", path.read_text(), path)
 
+    def test_the_library_is_small(self):
+        if "CMAKE_BUILD_TYPE:STRING=Release" not in (BUILD / "CMakeCache.txt").read_text():
+            self.skipTest("the build is no release")
+        stripped = SCRATCH / "stripped.so"
+        run("strip", "-o", stripped, LIBRARY)
+        self.assertLess(stripped.stat().st_size, 6000000)
+
     def test_soname_and_dependencies(self):
         text = run("readelf", "-d", LIBRARY)
         # Minor versions are not compatible while the major one is 0.

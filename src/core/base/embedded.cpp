@@ -1,12 +1,14 @@
 #include "core/base/embedded.h"
 
 #include "core/base/error.h"
+#include "core/base/spirv_code.h"
 
 #include <zstd.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory>
 
 namespace agaa {
 
@@ -17,7 +19,8 @@ struct SpirvModule {
     std::string_view name;
     const uint64_t* data;              // by zstd
     size_t bytes;                      // of data
-    size_t words;                      // of the module
+    size_t codeBytes;                  // of the module, encoded (spirv_code.h)
+    const SpirvModule* base;           // whose code data differs from, or null
     std::array<uint64_t, 2> constants; // bit i: the module uses the specialisation constant i
 };
 
@@ -32,14 +35,31 @@ const SpirvModule* findModule(std::string_view name) {
     return found == std::end(modules) ? nullptr : *found;
 }
 
+std::vector<uint8_t> codeOf(const SpirvModule& module) {
+    const std::vector<uint8_t> base = module.base ? codeOf(*module.base) : std::vector<uint8_t>();
+    std::vector<uint8_t> code(module.codeBytes);
+    const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+    size_t size = ZSTD_DCtx_refPrefix(context.get(), base.data(), base.size());
+    if (!ZSTD_isError(size))
+        size = ZSTD_decompressDCtx(context.get(), code.data(), code.size(), module.data, module.bytes);
+    if (size != code.size())
+        fail(AGAA_ERROR_INTERNAL, "the shader " + std::string(module.name) + " cannot be decompressed.");
+    return code;
+}
+
+// A text among all texts, which agaa-embed-text writes.
 struct TextRow {
     std::string_view path;
-    std::string_view text;
+    size_t begin, size;
 };
-constexpr TextRow textTable[] = {
 #include "shader_texts.inc"
-#include "written_glsl.inc"
-};
+
+std::string decompressedTexts() {
+    std::string texts(textBytes, '\0');
+    if (ZSTD_decompress(texts.data(), texts.size(), textData, textDataBytes) != texts.size())
+        fail(AGAA_ERROR_INTERNAL, "the texts of shaders cannot be decompressed.");
+    return texts;
+}
 
 } // namespace
 
@@ -49,10 +69,9 @@ std::vector<uint32_t> embeddedSpirv(std::string_view name) {
     const SpirvModule* found = findModule(name);
     if (!found)
         return {};
-    std::vector<uint32_t> words(found->words);
-    const size_t bytes = words.size() * sizeof(uint32_t);
-    if (ZSTD_decompress(words.data(), bytes, found->data, found->bytes) != bytes)
-        fail(AGAA_ERROR_INTERNAL, "the shader " + std::string(name) + " cannot be decompressed.");
+    std::vector<uint32_t> words = decodedSpirv(codeOf(*found));
+    if (words.empty())
+        fail(AGAA_ERROR_INTERNAL, "the shader " + std::string(name) + " cannot be decoded.");
     return words;
 }
 
@@ -62,10 +81,9 @@ bool readsConstant(std::string_view name, uint32_t specId) {
 }
 
 std::string_view embeddedGlsl(std::string_view path) {
-    for (const TextRow& row : textTable)
-        if (row.path == path)
-            return row.text;
-    return {};
+    static const std::string texts = decompressedTexts();
+    const auto row = std::ranges::find(textRows, path, &TextRow::path);
+    return row == std::end(textRows) ? std::string_view() : std::string_view(texts).substr(row->begin, row->size);
 }
 
 } // namespace agaa
