@@ -105,7 +105,8 @@ def page(data):
     lines = ["# Claims of the papers", "",
              "Written by `benchmark/papers.py` from `docs/results/lavapipe/papers.json`, which it measured on "
              f"{data['device']}: the scenes {', '.join(s['scene'] for s in data['scenes'])}, {data['size']}. Errors are "
-             "mean squares after tone mapping. The papers' own scenes are not at hand.", "", RULES]
+             "mean squares after tone mapping. The papers' own scenes are not at hand."
+             + (f" {data['note']}" if "note" in data else ""), "", RULES]
     for section in SECTIONS:
         lines += ["", f"## {section.TITLE}", "", section.TEXT, ""]
         lines += table(["place", "claim", "ours", "verdict"],

@@ -7,6 +7,7 @@ verdict. The results are those of `papers.py measure`:
     device         name of the device
     bytesPerPixel  {plan: bytes per pixel of the counted resources}
     scenes         [{"scene": name, group: {row: numbers}}]
+    note           a sentence for the page, if there is one
 
 Numbers of a row are "mseTm", a mean square of tone-mapped colours in [0, 1], and "events", the shading events of the
 frame. Some rows also have "byEvents", the pixels with 1, 2, 3 to 4, 5 to 8, 9 to 16 and more events, "shaded", the
