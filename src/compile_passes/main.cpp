@@ -23,7 +23,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>

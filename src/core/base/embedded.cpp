@@ -9,6 +9,7 @@
 #include <array>
 #include <iterator>
 #include <memory>
+#include <new>
 
 namespace agaa {
 
@@ -39,6 +40,8 @@ std::vector<uint8_t> codeOf(const SpirvModule& module) {
     const std::vector<uint8_t> base = module.base ? codeOf(*module.base) : std::vector<uint8_t>();
     std::vector<uint8_t> code(module.codeBytes);
     const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+    if (!context)
+        throw std::bad_alloc();
     size_t size = ZSTD_DCtx_refPrefix(context.get(), base.data(), base.size());
     if (!ZSTD_isError(size))
         size = ZSTD_decompressDCtx(context.get(), code.data(), code.size(), module.data, module.bytes);
