@@ -61,7 +61,7 @@ def renew_scene(scene, later, names):
         old = [i for i, row in enumerate(scene["rows"]) if is_named(row, name)]
         new = [row for row in later["rows"] if is_named(row, name)]
         if len(old) > 1 or len(new) != 1:
-            raise ValueError(f"{scene['name']} has {len(old)} rows of the name {name}, and {len(new)} later ones; one is needed")
+            raise ValueError(f"{scene['name']} has {len(old)} rows of the name {name}, and {len(new)} later ones; at most one and one are needed")
         row = renewed(new[0], factor, later.get("build"))
         at = old[0] if old else len(scene["rows"])
         scene["rows"][at:at + 1] = [row]
@@ -71,7 +71,6 @@ def renew_scene(scene, later, names):
 def renew(results, later, names):
     """Replaces or adds the rows, and returns the new ones."""
     check_alike("the sweep", results, later, ("size",))
-    results["rows"] = results.get("rows", []) + [name for name in names if name not in results.get("rows", [])]
     rows = []
     for backend in results["backends"]:
         others = next((each for each in later["backends"] if each["backend"] == backend["backend"]), {"scenes": []})
@@ -80,7 +79,11 @@ def renew(results, later, names):
             if scene["name"] not in by_name:
                 raise ValueError(f"the later sweep lacks {scene['name']} ({backend['backend']})")
             check_alike(backend["backend"], backend, others, ("device", "driver"))
+            count = len(scene["rows"])
             rows += renew_scene(scene, by_name[scene["name"]], names)
+            if results.get("rows"):  # empty: all rows of agaa-sweep
+                added = [name for name in names if any(is_named(row, name) for row in scene["rows"][count:])]
+                results["rows"] += [name for name in added if name not in results["rows"]]
     return rows
 
 
