@@ -1,4 +1,4 @@
-// Bytes as text of a C++ array, and the zstd frame of bytes.
+// zstd frames, and bytes as text of a C++ array.
 #pragma once
 
 #include <zstd.h>
@@ -12,16 +12,28 @@
 #include <string>
 #include <vector>
 
+// Returns the result of a function of zstd. Throws std::runtime_error if it is an error.
+inline size_t checkedZstd(size_t result) {
+    if (ZSTD_isError(result))
+        throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(result));
+    return result;
+}
+
 // Compresses the bytes, by their differences to `base` if that is not empty. Throws std::runtime_error.
 inline std::vector<uint8_t> compressed(std::span<const uint8_t> bytes, std::span<const uint8_t> base = {}) {
     const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, ZSTD_maxCLevel());
-    ZSTD_CCtx_refPrefix(context.get(), base.data(), base.size());
+    checkedZstd(ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, ZSTD_maxCLevel()));
+    checkedZstd(ZSTD_CCtx_refPrefix(context.get(), base.data(), base.size()));
     std::vector<uint8_t> out(ZSTD_compressBound(bytes.size()));
-    const size_t size = ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size());
-    if (ZSTD_isError(size))
-        throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
-    out.resize(size);
+    out.resize(checkedZstd(ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size())));
+    return out;
+}
+
+inline std::vector<uint8_t> decompressed(std::span<const uint8_t> frame, std::span<const uint8_t> base, size_t size) {
+    const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+    checkedZstd(ZSTD_DCtx_refPrefix(context.get(), base.data(), base.size()));
+    std::vector<uint8_t> out(size);
+    out.resize(checkedZstd(ZSTD_decompressDCtx(context.get(), out.data(), size, frame.data(), frame.size())));
     return out;
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/base/spirv_code.h"
 
-#include <spirv-tools/libspirv.h>
+#include <spirv-tools/libspirv.hpp>
 
 #include <map>
 #include <memory>
@@ -108,6 +108,19 @@ private:
     uint32_t bound_ = 0;
 };
 
+std::set<uint32_t> usedConstants(const std::vector<Instruction>& instructions) {
+    constexpr uint32_t specId = 1; // the decoration
+    std::set<uint32_t> used, found;
+    for (const Instruction& each : instructions)
+        for (size_t i = 0; each.opcode != Decorate && i < each.operands.size(); ++i)
+            if (each.kinds[i] == Kind::Reference)
+                used.insert(each.operands[i]);
+    for (const Instruction& each : instructions)
+        if (each.opcode == Decorate && each.operands[1] == specId && used.contains(each.operands[0]))
+            found.insert(each.operands[2]);
+    return found;
+}
+
 void append(std::vector<uint8_t>& code, uint64_t number) {
     for (; number >= 0x80; number >>= 7)
         code.push_back(uint8_t(number | 0x80));
@@ -124,6 +137,7 @@ EncodedModule encoded(std::span<const uint32_t> spirv) {
     const std::vector<Instruction> instructions = parsed(spirv);
     const Numbers numbers(instructions);
     EncodedModule module;
+    module.constants = usedConstants(instructions);
     module.words.assign(spirv.begin(), spirv.begin() + headerWords);
     module.words[3] = numbers.bound();
     for (const uint32_t word : module.words)
@@ -150,5 +164,7 @@ EncodedModule encoded(std::span<const uint32_t> spirv) {
             }
         }
     }
+    if (!spvtools::SpirvTools(SPV_ENV_UNIVERSAL_1_6).Validate(module.words))
+        throw std::runtime_error("the module with new ids is invalid");
     return module;
 }

@@ -115,36 +115,25 @@ Words compile(const std::string& path, const std::string& text, const std::strin
     return words;
 }
 
-// Calls visit(op, operands) for each instruction until it returns true, and returns whether it did.
-template <typename Word, typename Visit> bool anyInstruction(std::span<Word> spirv, const Visit& visit) {
-    constexpr size_t header = 5;
-    for (size_t at = header; at < spirv.size();) {
-        const size_t words = std::max(spirv[at] >> 16, 1u);
-        if (visit(spirv[at] & 0xFFFF, spirv.subspan(at + 1, std::min(words, spirv.size() - at) - 1)))
-            return true;
-        at += words;
-    }
-    return false;
-}
-
 // Sets or clears the bit DontInline of functions with several returns. SPIRV-Tools inlines none of them, but without
 // the bit it prints the whole module for a warning at each of their calls, which takes three quarters of its time.
 void markAsNotInlined(Words& words, bool mark) {
     enum Op : uint32_t { Function = 54, FunctionEnd = 56, Return = 253, ReturnValue = 254 };
     constexpr uint32_t dontInline = 2;
+    constexpr size_t header = 5;
     uint32_t* control = nullptr;
     int returns = 0;
-    anyInstruction(std::span(words), [&](uint32_t op, std::span<uint32_t> operands) {
+    for (size_t at = header; at < words.size(); at += std::max(words[at] >> 16, 1u)) {
+        const uint32_t op = words[at] & 0xFFFF;
         if (op == Function) {
-            control = &operands[2];
+            control = &words.at(at + 3);
             returns = 0;
         } else if (op == Return || op == ReturnValue) {
             ++returns;
         } else if (op == FunctionEnd && returns > 1) {
             *control = mark ? *control | dontInline : *control & ~dontInline;
         }
-        return false;
-    });
+    }
 }
 
 Words optimised(Words words, const std::vector<std::string>& passes, const std::string& name) {
@@ -162,23 +151,6 @@ Words optimised(Words words, const std::vector<std::string>& passes, const std::
     return result;
 }
 
-// Returns whether the module uses its specialisation constant of this id.
-bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId) {
-    enum Op : uint32_t { Source = 3, Line = 8, Constant = 43, SpecConstant = 50, Decorate = 71 };
-    constexpr uint32_t decoratesSpecId = 1;
-    uint32_t id = 0;
-    anyInstruction(spirv, [&](uint32_t op, std::span<const uint32_t> operands) {
-        if (op == Decorate && operands.size() == 3 && operands[1] == decoratesSpecId && operands[2] == specId)
-            id = operands[0];
-        return id != 0;
-    });
-    // Debug instructions and constants contain words that may equal the id without using it.
-    return id != 0 && anyInstruction(spirv, [&](uint32_t op, std::span<const uint32_t> operands) {
-               return !(op >= Source && op <= Line) && op != Constant && op != SpecConstant && op != Decorate &&
-                      std::ranges::find(operands, id) != operands.end();
-           });
-}
-
 struct Base {
     std::string name; // empty if the module is the base
     Bytes code;
@@ -190,9 +162,11 @@ void writeModule(const fs::path& path, const std::string& name, const Words& spi
     if (agaa::decodedSpirv(module.code) != module.words)
         fail(name + " is not the same when it is decoded.");
     const Bytes bytes = compressed(module.code, base.code);
+    if (decompressed(bytes, base.code, module.code.size()) != module.code)
+        fail(name + " is not the same when it is decompressed.");
     std::array<uint64_t, 2> constants{};
-    for (uint32_t id = 0; id < 64 * constants.size(); ++id)
-        constants[id / 64] |= uint64_t(readsConstant(module.words, id)) << id % 64;
+    for (const uint32_t id : module.constants)
+        constants.at(id / 64) |= uint64_t(1) << id % 64;
     std::string text = arrayText("spirv_" + name, bytes) + "constexpr SpirvModule module_" + name + " = {\"" + name +
                        "\", spirv_" + name + ", " + std::to_string(bytes.size()) + ", " +
                        std::to_string(module.code.size()) + ", " +
@@ -230,7 +204,7 @@ int main(int count, char** arguments) {
         const fs::path output = folder / (name + ".inc");
         try {
             writeModule(output, name, optimised(compile(shader, text, preamble, includer), passes, name), base);
-        } catch (const std::runtime_error& error) {
+        } catch (const std::exception& error) {
             fail(name + ": " + error.what() + ".");
         }
         outputs += output.string() + " ";

@@ -8,7 +8,8 @@
 
 namespace agaa {
 
-// Ids below it are those of types, constants and global variables; from it on ids count the other results of a module.
+// Ids below it are those of types, constants and global variables: of all results before the first function. From it on
+// ids count the results of functions.
 constexpr uint32_t spirvGlobalIds = 4096;
 
 // The code begins with the five words of the header. An instruction is its opcode, the number of its operands' words,
@@ -21,7 +22,7 @@ enum class SpirvOperand : uint8_t {
     Result,  // nothing: the operand is the next result
 };
 
-// Returns the module of the code, or nothing if the code is not that of a module.
+// Returns the module of the code, or nothing if the code does not have the form above.
 std::vector<uint32_t> decodedSpirv(std::span<const uint8_t> code);
 
 } // namespace agaa
