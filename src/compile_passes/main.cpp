@@ -116,7 +116,7 @@ Words compile(const std::string& path, const std::string& text, const std::strin
 }
 
 // Sets or clears the bit DontInline of functions with several returns. SPIRV-Tools inlines none of them, but without
-// the bit it prints the whole module for a warning at each of their calls, which takes three quarters of its time.
+// the bit it prints the whole module for a warning at each of their calls, which takes two thirds of its time.
 void markAsNotInlined(Words& words, bool mark) {
     enum Op : uint32_t { Function = 54, FunctionEnd = 56, Return = 253, ReturnValue = 254 };
     constexpr uint32_t dontInline = 2;
