@@ -19,10 +19,10 @@ from pycparser import c_ast, c_generator, c_parser
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 HEADERS = ["agaa/base.h", "agaa/config.h", "agaa/adaptive.h", "agaa/frame.h", "agaa/functions.h", "agaa/query.h", "agaa/price.h",
-           "agaa/statistics.h", "agaa/outputs.h", "agaa/goal.h", "agaa_vk.h", "agaa_gl.h"]
+           "agaa/statistics.h", "agaa/outputs.h", "agaa/goal.h", "agaa/temporal.h", "agaa_vk.h", "agaa_gl.h"]
 SIZES = {"char": 1, "int": 4, "float": 4, "double": 8, "uint32_t": 4, "int32_t": 4, "uint64_t": 8, "int64_t": 8, "size_t": 8,
          "void": 0}
-# What a C compiler has: the parser knows no attributes and no standard headers.
+# The parser knows no attributes and no standard headers.
 STUBS = "typedef unsigned uint32_t; typedef int int32_t; typedef unsigned long uint64_t; typedef long int64_t; typedef unsigned long size_t;\n"
 
 
@@ -53,6 +53,16 @@ def constants(root):
             elif re.fullmatch(r"\((?:AGAA_\w+ \| )*AGAA_\w+\)", value):
                 found[name] = sum({found[flag] for flag in re.findall(r"AGAA_\w+", value)})
     return found
+
+
+def constant_types(root, names):
+    """Types of the constants in C: uint64_t for those that are made of UINT64_C, else uint32_t."""
+    text = "".join(re.sub(r"\\\n", " ", (root / "include" / header).read_text()) for header in HEADERS)
+    wide = set(re.findall(r"^#define (AGAA_\w+) +UINT64_C\(", text, re.MULTILINE))
+    for name, flags in re.findall(r"^#define (AGAA_\w+) \(((?:AGAA_\w+ \| )*AGAA_\w+)\)", text, re.MULTILINE):
+        if wide & set(flags.split(" | ")):
+            wide.add(name)
+    return {name: "uint64_t" if name in wide else "uint32_t" for name in names}
 
 
 class Description:
@@ -127,8 +137,9 @@ def describe(root):
     found = Description(tree)
     known = constants(root)
     version = [known[f"AGAA_VERSION_{part}"] for part in ("MAJOR", "MINOR", "PATCH")]
-    return {"version": ".".join(map(str, version)), "handles": found.handles, "constants": known, "enums": found.enums,
-            "callbacks": found.callbacks, "structs": found.structs, "functions": found.functions}
+    return {"version": ".".join(map(str, version)), "handles": found.handles, "constants": known,
+            "constantTypes": constant_types(root, known), "enums": found.enums, "callbacks": found.callbacks,
+            "structs": found.structs, "functions": found.functions}
 
 
 def main():

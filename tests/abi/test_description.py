@@ -3,6 +3,7 @@ import ctypes
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -22,6 +23,16 @@ class Description(unittest.TestCase):
         description = json.loads((ROOT / "abi" / "agaa.json").read_text())
         exported = (ROOT / "tests" / "abi" / "exported_symbols.txt").read_text().split()
         self.assertEqual(sorted(function["name"] for function in description["functions"]), exported)
+
+    def test_has_every_flag_of_the_headers(self):
+        description = json.loads((ROOT / "abi" / "agaa.json").read_text())
+        for header in (ROOT / "include").rglob("*.h"):
+            text = header.read_text().replace("\\\n", " ")
+            for name, bits in re.findall(r"^#define (AGAA_\w+) +UINT(32|64)_C\(", text, re.MULTILINE):
+                self.assertIn(name, description["constants"], header)
+                self.assertEqual(description["constantTypes"][name], f"uint{bits}_t", name)
+        self.assertEqual(description["constantTypes"]["AGAA_FACT_ALL_SHADED"], "uint64_t")
+        self.assertEqual(list(description["constantTypes"]), list(description["constants"]))
 
 
 class Binding(unittest.TestCase):
