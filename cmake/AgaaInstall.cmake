@@ -13,8 +13,11 @@ install(FILES include/agaa_sdk.h include/agaa_vk.h include/agaa_gl.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(DIRECTORY include/agaa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
-# The description of the ABI, and the binding that is made of it.
-install(FILES abi/agaa.json bindings/python/agaa.py DESTINATION ${CMAKE_INSTALL_DATADIR}/agaa COMPONENT development)
+# The description of the ABI, and the bindings that are made of it.
+install(FILES abi/agaa.json bindings/python/agaa.py bindings/csharp/Agaa.cs
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/agaa COMPONENT development)
+install(DIRECTORY bindings/rust/agaa-sys DESTINATION ${CMAKE_INSTALL_DATADIR}/agaa COMPONENT development
+  PATTERN target EXCLUDE PATTERN Cargo.lock EXCLUDE)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/agaa)
 install(EXPORT agaa-targets NAMESPACE agaa:: DESTINATION ${package_dir} COMPONENT development)

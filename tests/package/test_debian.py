@@ -86,7 +86,8 @@ class Contents(Extracted):
                          [f"{library}.{VERSION}", f"{library}.{SERIES}"])
         development, tools = files("libagaa-dev"), files("agaa-tools")
         for path in (library, "usr/include/agaa_sdk.h", "usr/share/agaa/agaa.json", "usr/share/agaa/agaa.py",
-                     "usr/share/doc/libagaa-dev/LICENSE"):
+                     "usr/share/agaa/Agaa.cs", "usr/share/agaa/agaa-sys/Cargo.toml", "usr/share/agaa/agaa-sys/build.rs",
+                     "usr/share/agaa/agaa-sys/src/generated.rs", "usr/share/doc/libagaa-dev/LICENSE"):
             self.assertIn(path, development)
         programs = [path for path in tools if path.startswith("usr/bin/")]
         self.assertIn("usr/bin/agaa-harness", programs)
