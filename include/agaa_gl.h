@@ -318,11 +318,15 @@ AGAA_API void AGAA_CALL agaaInitGlResolvedTextures(AgaaGlResolvedTextures* outTe
  *           AGAA_ERROR_STRUCT             a struct is not initialised
  *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, the output has another size than the view,
  *                                         it or a texture of AgaaGlResolvedTextures does not hold the frame, or the
- * camera, ditherFrame, the size or the facts differ from those of the first segment AGAA_ERROR_WRONG_ORDER
- * framesInFlight frames are unfinished, the frame index does not increase, a segment is missing or repeated, or
- * transform feedback is active and not paused AGAA_ERROR_UNSUPPORTED        the format of the output, or of a texture
- * of AgaaGlResolvedTextures, does not support image stores AGAA_ERROR_CALLBACK           a callback failed. The output
- * is unchanged; earlier passes have run, so that an unfinished frame cannot continue: the next call begins a frame
+ *                                         camera, ditherFrame, the size or the facts differ from those of the first
+ *                                         segment
+ *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, a
+ *                                         segment is missing or repeated, or transform feedback is active and not
+ *                                         paused
+ *           AGAA_ERROR_UNSUPPORTED        the format of the output, or of a texture of AgaaGlResolvedTextures, does not
+ *                                         support image stores
+ *           AGAA_ERROR_CALLBACK           a callback failed. The output is unchanged; earlier passes have run, so that
+ *                                         an unfinished frame cannot continue: the next call begins a frame
  *           AGAA_ERROR_DEVICE             the context is lost. If it has GL_LOSE_CONTEXT_ON_RESET, the SDK calls
  *                                         glGetGraphicsResetStatus, which may report a reset only once: take this
  *                                         error for a reset

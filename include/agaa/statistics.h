@@ -115,8 +115,9 @@ AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatisti
  * outStatistics    Initialised; unchanged on failure.
  *
  * Returns          AGAA_NOT_READY if there is no such frame, or if its command buffer was discarded; then only the
- * bytes, geometryPasses, and the members from variantCount on are written. Views without counters and times do not
- * notice that a command buffer was discarded. Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *                  bytes, geometryPasses, and the members from variantCount on are written. Views without counters and
+ *                  times do not notice that a command buffer was discarded.
+ * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outStatistics is not initialised
  *                  AGAA_ERROR_OUT_OF_MEMORY      Vulkan: timestamps could not be read
  *                  AGAA_ERROR_DEVICE             Vulkan: timestamps could not be read, for example because the device
