@@ -16,7 +16,8 @@ from xml.sax.saxutils import quoteattr
 import declarations
 import guides
 import headers
-import text
+import interface
+import markup
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOXYFILE, STYLE = (pathlib.Path(__file__).with_name(name) for name in ("Doxyfile", "style.css"))
@@ -91,7 +92,7 @@ def layout(pages):
 def lists(pages):
     """Pages of the site that list others: the kept reports, and the reference."""
     reports = sorted((guide for path, guide in pages.guides.items() if path.startswith(RESULTS)), key=lambda guide: guide.path)
-    rows = [f"<li>\\ref {guide.label} \"{text.escape(guide.path)}\": {text.escape(guide.title)}</li>" for guide in reports]
+    rows = [f"<li>\\ref {guide.label} \"{markup.escape(guide.path)}\": {markup.escape(guide.title)}</li>" for guide in reports]
     yield "kept_reports", ["\\page kept_reports Kept reports", "", "Reports in docs/results/, made by benchmarks.", "",
                            "<ul>", *rows, "</ul>"]
     index = pages.guides[INDEX]
@@ -99,22 +100,22 @@ def lists(pages):
     rows += [(title, pages.guides[path]) for path, title in PROJECT.items()]
     yield "reference", ["\\page reference Reference", "", "<ul>", "<li><a href=\"annotated.html\">Structs</a></li>",
                         "<li><a href=\"globals.html\">Names</a>: functions, types, values and macros</li>",
-                        *(f"<li>\\ref {guide.label} \"{text.escape(title)}\"</li>" for title, guide in rows), "</ul>"]
+                        *(f"<li>\\ref {guide.label} \"{markup.escape(title)}\"</li>" for title, guide in rows), "</ul>"]
 
 
 def convert(root, folder):
     source = read_headers(root)
-    interface = headers.Interface(source)
-    linker = text.Linker()
-    linker.names = set(interface.known)
-    linker.bits = headers.flag_anchors(source)
+    found = interface.Interface(source)
+    linker = markup.Linker()
+    linker.names = set(found.known)
+    linker.bits = interface.flag_anchors(source)
     linker.headers = {name: headers.group_of(name) for name in source}
     pages = guides.Pages(root, read_guides(root), linker)
     linker.pages = {guide.path: guide.label for guide in pages.guides.values()}
     for name, (_, title, parent) in HEADERS.items():
         path = folder / "headers" / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(headers.Writer(name, interface, linker).write(title, parent), encoding="utf-8")
+        path.write_text(headers.Writer(name, found, linker).write(title, parent), encoding="utf-8")
     (folder / "pages").mkdir(parents=True, exist_ok=True)
     for guide in pages.guides.values():
         linker.unlinked = {"AgaaSurface"} if guide.path in GLSL_SURFACE else set()

@@ -8,8 +8,8 @@ import re
 
 TOKEN = re.compile(r"""/\*.*?\*/ | //(?:\\\n|[^\n])* | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])*' | .""",
                    re.VERBOSE | re.DOTALL)
-COMMENT = re.compile(r"/\*.*?\*/|//(?:\\\n|[^\n])*", re.DOTALL)
 MARKS = ("/*", "//")
+SECTION = re.compile(r"^-{3,} (.+?) -{3,}$")  # the text of a comment that is the title of a section
 
 
 class SourceError(Exception):
@@ -50,6 +50,17 @@ def without_marks(raw):
 
 def joined(texts):
     return "\n\n".join(text for text in texts if text)
+
+
+def split(text, blank=lambda comment: " "):
+    """The code without comments, and the texts of the comments."""
+    code, found = [], []
+    for token in TOKEN.findall(text):
+        if token.startswith(MARKS):
+            found.append(without_marks(token))
+            token = blank(token)
+        code.append(token)
+    return "".join(code), joined(found)
 
 
 class Scanner:
@@ -131,14 +142,13 @@ class Scanner:
 
 def directive_of(text, line):
     """A macro with a value, or none."""
-    found = re.match(r"#\s*define\s+(\w+)(\([^)]*\))?(.*)$", COMMENT.sub(" ", text), re.DOTALL)
+    code, trailing = split(text)
+    found = re.match(r"#\s*define\s+(\w+)(\([^)]*\))?(.*)$", code, re.DOTALL)
     if not found or not found[3].strip(" \t\\\n"):
         return None
     value = "\n".join(part.rstrip() for part in re.split(r"\\\n", found[3])).rstrip()
     value = value.replace("\n", " \\\n")
-    comments = [without_marks(raw) for raw in COMMENT.findall(text)]
-    return Declaration("define", found[1], f"#define {found[1]}{found[2] or ''}{value}", line,
-                       trailing=joined(comments))
+    return Declaration("define", found[1], f"#define {found[1]}{found[2] or ''}{value}", line, trailing=trailing)
 
 
 def one_space(text):
@@ -173,9 +183,9 @@ def members_of(body, name, line, kind):
             else:
                 pending.append(without_marks(text))
             continue
-        inner = joined(without_marks(raw) for raw in COMMENT.findall(text))
+        code, inner = split(text)
         declared = []
-        for code in declarators(one_space(COMMENT.sub(" ", text))):
+        for code in declarators(one_space(code)):
             found = member_of(code, kind)
             if not found:
                 scanner.fail(f"\"{code}\" is not a member.", at)
@@ -189,20 +199,19 @@ def members_of(body, name, line, kind):
 
 def code_of(text, name, line):
     """A declaration that ends with a semicolon."""
-    body = re.match(r"^\s*(typedef\s+)?(struct|enum)\b[^{;(]*\{", COMMENT.sub(lambda raw: " " * len(raw[0]), text))
+    blank, inner = split(text, lambda comment: re.sub(r"[^\n]", " ", comment))
+    body = re.match(r"\s*(typedef\s+)?(struct|enum)\b[^{;(]*\{", blank)
     if body:
-        opening, closing = body.end(), text.rindex("}")
-        kind = body[2]
-        head = one_space(COMMENT.sub(" ", text[:opening - 1]))
-        tail = one_space(COMMENT.sub(" ", text[closing + 1:]))
+        opening, closing, kind = body.end(), blank.rindex("}"), body[2]
+        head, tail = one_space(blank[:opening - 1]), one_space(blank[closing + 1:])
         found = re.search(r"\w+$", tail or head)
         members = members_of(text[opening:closing], name, line + text[:opening].count("\n"),
                              "member" if kind == "struct" else "enumerator")
         if not found or found[0] in ("struct", "enum"):
             raise SourceError(f"{name}:{line}: a {kind} has no name.")
-        return Declaration(kind, found[0], head, line, members=members)
-    inner = joined(without_marks(raw) for raw in COMMENT.findall(text))
-    code = one_space(re.sub(r"\bAGAA_(?:API|CALL)\b", "", COMMENT.sub(" ", text)))
+        beside = joined(split(part)[1] for part in (text[:opening], text[closing:]))
+        return Declaration(kind, found[0], head, line, trailing=beside, members=members)
+    code = one_space(re.sub(r"\bAGAA_(?:API|CALL)\b", "", blank))
     kind = "typedef" if code.startswith("typedef ") else "function"
     pointer = re.search(r"\(\s*\*\s*(\w+)\s*\)\s*\((.*)\)$", code)
     function = pointer or re.match(r"[^(]*?(\w+)\s*\((.*)\)$", code)
@@ -246,7 +255,7 @@ def read(text, name):
                 continue
         else:
             declaration = code_of(raw, name, line)
-        if pending and isSeparate:
+        if pending and (isSeparate or SECTION.match(pending.text)):
             items.append(pending)
         elif pending:
             declaration.leading = pending.text

@@ -7,8 +7,9 @@ otherwise than code hosts do. A link to a file that is not part of the site beco
 import posixpath
 import re
 
+import markup
 from declarations import SourceError
-from text import escape
+from markup import escape
 
 LANGUAGES = {"c": "c", "cpp": "cpp", "glsl": "c", "python": "py", "py": "py", "sh": "unparsed", "": "unparsed"}
 MARKER = re.compile(r"^( *)([*+-]|\d+\.) +(?=\S)")
@@ -146,12 +147,12 @@ class Pages:
         return "".join(made) + words(text[position:])
 
     @staticmethod
-    def heading(guide, level, anchor, title):
+    def heading(guide, level, anchor, text):
         """A section. Those of the first page are plain headings, because the tree of the site lists its sections."""
         label = guide.anchors[anchor]
         if guide.label == MAIN:
-            return f"\\anchor {label}\n<h{level}>{escape(title)}</h{level}>"
-        return f"\\{LEVELS[level]} {label} {escape(title)}"
+            return f"\\anchor {label}\n<h{level}>{escape(text)}</h{level}>"
+        return f"\\{LEVELS[level]} {label} {markup.title(text)}"
 
     # ---- blocks --------------------------------------------------------------------------------
 
@@ -175,8 +176,10 @@ class Pages:
 
         return ["<table class=\"markdownTable\">", row(head, "th"), *(row(cells, "td") for cells in rows), "</table>", ""]
 
-    @staticmethod
-    def code(language, lines):
+    def code(self, language, lines):
+        # Doxygen links names in code of C by itself.
+        if self.linker.unlinked & set(re.findall(r"\w+", "\n".join(lines))):
+            language = "unparsed"
         return [f"\\code{{.{language}}}", *lines, "\\endcode", ""]
 
     def list(self, guide, lines, position):
@@ -267,7 +270,7 @@ class Pages:
                       flags=re.MULTILINE | re.DOTALL)
         lines = self.blocks(guide, text.expandtabs(4).split("\n"), guide.anchors_of_lines)
         isMain = guide.label == MAIN
-        command = f"\\mainpage {escape(guide.title)}" if isMain else f"\\page {guide.label} {escape(guide.title)}"
+        command = f"\\mainpage {markup.title(guide.title)}" if isMain else f"\\page {guide.label} {markup.title(guide.title)}"
         contents = ["\\tableofcontents"] if len(guide.anchors) >= CONTENTS_FROM and not isMain else []
         lines = "\n".join([command, *contents, "", *lines]).split("\n")
         return "".join(f"/// {line}".rstrip() + "\n" for line in lines)

@@ -6,107 +6,15 @@ heads of member groups. A declaration without a comment gets a text that follows
 import re
 
 import comments
+import markup
 from comments import Bullets, Code, Item, Paragraph
-from declarations import Comment, Declaration, joined
-
-SECTION = re.compile(r"^-{3,} (.+?) -{3,}$")
-TYPES = "struct", "enum", "typedef"
-GLUE = {"Gl": "OpenGL", "Vk": "Vulkan"}
+from declarations import SECTION, Comment, Declaration, joined
+from interface import common_prefix, flag_prefix, has_next_flag, words
 
 
 def group_of(header):
     """agaa/base.h: agaa_base."""
     return re.sub(r"\W", "_", header.removesuffix(".h"))
-
-
-def words(name):
-    """shadowTaps: Shadow taps. AGAA_LIGHT_POINT without its prefix: Point."""
-    name = re.sub(r"^(?:Agaa|agaa|AGAA_)", "", name)
-    if name.upper() == name:
-        parts = [part if any(map(str.isdigit, part)) else part.lower() for part in name.split("_")]
-    else:
-        parts = [GLUE.get(part, part.lower()) for part in re.findall(r"[A-Z]?[a-z0-9]+|[A-Z]+(?![a-z])", name)]
-    text = " ".join(part for part in parts if part) or name
-    return text[0].upper() + text[1:] + "."
-
-
-def common_prefix(names):
-    parts = [name.split("_")[:-1] for name in names if not name.endswith("_MAX_ENUM")]
-    shared = [same[0] for same in zip(*parts) if len(set(same)) == 1]
-    return "_".join(shared) + "_" if shared else ""
-
-
-def flag_prefix(name):
-    return "_".join(name.split("_")[:2]) + "_"
-
-
-def has_next_flag(items, position):
-    """Whether a macro with the same prefix follows the macro at a position."""
-    following = items[position + 1] if position + 1 < len(items) else None
-    return isinstance(following, Declaration) and following.kind == "define" and \
-        flag_prefix(following.name) == flag_prefix(items[position].name)
-
-
-class Interface:
-    """All headers together: the names and their uses, from which missing texts are made."""
-
-    def __init__(self, headers):
-        self.headers = headers  # {name: items}
-        self.declared = [item for items in headers.values() for item in items if isinstance(item, Declaration)]
-        self.structs = {item.name.upper(): item.name for item in self.declared if item.kind == "struct"}
-        self.known = set(self.names())
-        self.undescribed = []   # names whose text is made of the name alone
-
-    def names(self):
-        for item in self.declared:
-            yield item.name
-            for member in item.members:
-                yield member.name if member.kind == "enumerator" else f"{item.name}::{member.name}"
-
-    def struct_of(self, constant):
-        """AGAA_VK_FRAME: AgaaVkFrame."""
-        return self.structs.get(constant.replace("_", ""))
-
-    def uses(self, name):
-        pattern = re.compile(rf"\b{name}\b")
-        for item in self.declared:
-            if item.name == name or item.name.startswith("agaaInit") or item.kind == "define":
-                continue
-            if item.kind == "struct":
-                for member in item.members:
-                    if pattern.search(member.code) or pattern.match(member.trailing):
-                        yield f"{item.name}::{member.name}"
-            elif item.kind != "enum" and pattern.search(item.code):
-                yield item.name
-
-    def text_of(self, item, owner=None):
-        """A text for a declaration without a comment."""
-        name = item.name
-        initialised = re.match(r"AGAA_(\w+)_INIT$", name)
-        struct = initialised and self.struct_of("AGAA_" + initialised[1])
-        if item.kind == "define" and struct:
-            return f"Initialises a struct {struct} with its defaults."
-        if item.kind == "function" and name.startswith("agaaInit") and f"Agaa{name[8:]}" in self.structs.values():
-            macro = next(macro.name for macro in self.declared if macro.kind == "define" and macro.name.endswith("_INIT")
-                         and self.struct_of(macro.name.removesuffix("_INIT")) == f"Agaa{name[8:]}")
-            return f"Initialises a struct Agaa{name[8:]}, as {macro} does. Does nothing if the pointer is null."
-        if name.endswith("_MAX_ENUM"):
-            return "No value of the enumeration: it makes the type 32 bits wide."
-        if item.kind == "enumerator" and name.startswith("AGAA_STRUCTURE_TYPE_"):
-            struct = self.struct_of("AGAA_" + name.removeprefix("AGAA_STRUCTURE_TYPE_"))
-            if struct:
-                return f"The type of {struct}."
-        if item.kind == "member" and name in ("sType", "structSize", "pNext") and owner != "AgaaStructHeader":
-            return f"See AgaaStructHeader::{name}."
-        counted = re.sub(r"Count$", "s", name)
-        if item.kind == "member" and counted != name and f"{owner}::{counted}" in self.known:
-            return f"Number of elements of {counted}."
-        mentioned = re.search(r"\bAgaa\w+", item.code) if item.kind == "member" else None
-        if mentioned:
-            return f"See {mentioned[0]}."
-        self.undescribed.append(f"{owner}::{name}" if item.kind == "member" else name)
-        uses = [use for use in self.uses(name) if use != owner] if item.kind in TYPES else []
-        return words(name) + (f" Used by {', '.join(uses)}." if uses else "")
 
 
 class Writer:
@@ -116,6 +24,8 @@ class Writer:
         self.prefix = ""      # of the flags in the open member group
         self.described = {}   # macro: text in the comment of its member group
         self.isOpen = False   # a group
+        self.label = ""       # of that group
+        self.notes = []       # comments that stand alone, for the next declaration
 
     # ---- comments ------------------------------------------------------------------------------
 
@@ -161,7 +71,7 @@ class Writer:
             return self.errors(block.blocks)
         if key == "Returns":
             return ["\\return " + "\n".join(self.flow(block.blocks)), ""]
-        return [f"\\par {self.linker.render(', '.join(block.keys), isPlain=True)}", *self.flow(block.blocks), ""]
+        return [f"\\par {', '.join(block.keys)}", *self.flow(block.blocks), ""]
 
     def document(self, text, parameters=(), leftOut=()):
         """Lines of a comment for Doxygen, without the items of these keys."""
@@ -191,13 +101,17 @@ class Writer:
 
     def close(self):
         self.close_flags()
+        if self.notes:
+            self.comment([f"\\addtogroup {self.label}", "", *self.document(joined(self.notes))])
+        self.notes = []
         if self.isOpen:
             self.lines.append("/** @} */")
         self.isOpen = False
 
     def open(self, label, title, parent, text=""):
         self.close()
-        self.comment([f"\\defgroup {label} {self.linker.render(title, isPlain=True)}", *([f"\\ingroup {parent}"] if parent else []),
+        self.label = label
+        self.comment([f"\\defgroup {label} {markup.title(title)}", *([f"\\ingroup {parent}"] if parent else []),
                       *self.document(text or f"Declared in {self.header}.")])
         self.comment([f"\\addtogroup {label}", "@{"])
         self.isOpen = True
@@ -215,7 +129,7 @@ class Writer:
             else:
                 rest.append(block)
         anchor = self.linker.bits.get(self.prefix)
-        lines = [f"\\name {self.linker.render(title.rstrip('.'), isPlain=True)}"]
+        lines = [f"\\name {title.rstrip('.')}"]
         if anchor and anchor not in self.linker.anchored:
             self.linker.anchored.add(anchor)
             lines.append(f"\\anchor {anchor}")
@@ -223,63 +137,55 @@ class Writer:
 
     # ---- declarations --------------------------------------------------------------------------
 
-    def item_comment(self, item, text, owner=None):
-        self.comment(self.document(text or self.interface.text_of(item, owner), item.parameters))
+    def described_by(self, block, text):
+        """Lines of a comment whose first part is an item of another comment."""
+        described = self.flow(block.blocks)
+        return [f"\\brief {described[0]}", *described[1:], *(["", *self.document(text)] if text else [])]
 
-    def macro(self, item, text):
-        lines = self.document(text) if text else []
-        block = self.described.get(item.name)
-        if block:
-            described = self.flow(block.blocks)
-            lines = [f"\\brief {described[0]}", *described[1:], *(["", *lines] if lines else [])]
-        self.comment(lines or self.document(self.interface.text_of(item)))
+    def enumerator_text(self, member, prefix):
+        """The words behind the prefix that the enumerators share, unless more is known of one."""
+        text = self.interface.text_of(member)
+        return words(member.name.removeprefix(prefix)) if text == words(member.name) else text
 
-    def members(self, item, text):
-        """Members, and the text of the comment without the items that describe members."""
-        blocks, label = comments.parse(text), ""
-        described = {}
-        names = {member.name for member in item.members}
-        for block in blocks:
-            if isinstance(block, Item) and item.kind == "struct" and all(key in names for key in block.keys):
-                described.update(dict.fromkeys(block.keys, block))
-        prefix = common_prefix([member.name for member in item.members])
+    def members(self, item, described):
+        prefix, label = common_prefix([member.name for member in item.members]), ""
         lines = []
         for member in item.members:
-            leading = member.leading
+            isValue, leading = member.kind == "enumerator", member.leading
             # A label before several enumerators is a word for each of them.
-            if member.kind == "enumerator" and leading and member.trailing and not leading.endswith((".", ":")):
+            if isValue and leading and member.trailing and not leading.endswith((".", ":")):
                 label, leading = leading, ""
             text = joined([leading, member.trailing])
             if label and not member.name.endswith("_MAX_ENUM"):
                 text = f"{label}: {text}"
-            if not text and member.kind == "enumerator":
-                short = Declaration("enumerator", member.name, member.code, member.line)
-                text = self.interface.text_of(short)
-                if text == words(member.name):
-                    text = words(member.name.removeprefix(prefix))
-            elif not text and member.name not in described:
-                text = self.interface.text_of(member, item.name)
-            document = self.document(text) if text else []
             if member.name in described:
-                extra = self.flow(described[member.name].blocks)
-                document = [f"\\brief {extra[0]}", *extra[1:], *(["", *document] if document else [])]
+                document = self.described_by(described[member.name], text)
+            elif isValue:
+                document = self.document(text or self.enumerator_text(member, prefix))
+            else:
+                document = self.document(text or self.interface.text_of(member, item.name))
             lines += ["    /**", *(f"     * {line}".rstrip() for part in document for line in part.split("\n")), "     */"]
-            lines.append(f"    {member.code}{',' if member.kind == 'enumerator' else ';'}")
-        return lines, {key for block in described.values() for key in block.keys}
+            lines.append(f"    {member.code}{',' if isValue else ';'}")
+        return lines
 
     def declaration(self, item, text):
-        if item.kind == "define":
-            self.macro(item, text)
-            self.lines.append(item.code)
-        elif item.kind in ("struct", "enum"):
-            members, taken = self.members(item, text)
-            self.comment(self.document(text or self.interface.text_of(item), leftOut=taken))
-            self.lines += [f"{item.code} {{", *members, f"}} {item.name};" if item.code.startswith("typedef") else "};"]
+        if item.name in self.described:
+            self.comment(self.described_by(self.described[item.name], text))
+        elif item.kind == "struct":
+            names = {member.name for member in item.members}
+            described = {key: block for block in comments.parse(text) if isinstance(block, Item) and names.issuperset(block.keys)
+                         for key in block.keys}
+            self.comment(self.document(text or self.interface.text_of(item), leftOut=set(described)))
+            self.lines += [f"{item.code} {{", *self.members(item, described)]
         else:
-            self.item_comment(item, text)
-            self.lines.append(item.code + ";")
+            self.comment(self.document(text or self.interface.text_of(item), item.parameters))
+            if item.kind == "enum":
+                self.lines += [f"{item.code} {{", *self.members(item, {})]
+        if item.kind in ("struct", "enum"):
+            self.lines.append(f"}} {item.name};" if item.code.startswith("typedef") else "};")
+        else:
+            self.lines.append(item.code + (";" if item.kind != "define" else ""))
         self.lines.append("")
-
 
     # ---- a file --------------------------------------------------------------------------------
 
@@ -287,9 +193,9 @@ class Writer:
         items = list(self.interface.headers[self.header])
         label = group_of(self.header)
         about = items.pop(0).text if items and isinstance(items[0], Comment) else ""
-        self.comment([f"\\file {self.header}", f"\\brief {self.inline(comments.first_sentence(title)[0])}"])
+        self.comment([f"\\file {self.header}", f"\\brief See \\ref {label} \"{title}\"."])
         self.open(label, title, parent, about)
-        notes, previous, previousText = [], None, ""
+        previous, previousText = None, ""
         for position, item in enumerate(items):
             if isinstance(item, Comment):
                 section = SECTION.match(item.text)
@@ -302,7 +208,7 @@ class Writer:
                 if isHead or (item.text.startswith("Bits of ") and isinstance(following, Declaration)):
                     self.open_flags(item.text, following.name)
                 else:
-                    notes.append(item.text)
+                    self.notes.append(item.text)
                 continue
             leading = item.leading
             if item.kind != "define" or flag_prefix(item.name) != self.prefix:
@@ -311,27 +217,11 @@ class Writer:
             if item.kind == "define" and leading.startswith("Bits of ") and has_next_flag(items, position):
                 self.open_flags(leading, item.name)
                 leading = ""
-            text = joined([*notes, leading, item.trailing])
-            notes = []
+            text = joined([*self.notes, leading, item.trailing])
+            self.notes = []
             if not text and item.isAdjacent and previous and previous.kind == item.kind and item.kind in ("function", "typedef"):
                 text = previousText
             self.declaration(item, text)
             previous, previousText = item, text
         self.close()
         return "\n".join(self.lines) + "\n"
-
-
-def flag_anchors(headers):
-    """Prefixes of flags that a comment "Bits of …" introduces, and their anchors: the flag itself if it is alone."""
-    anchors, isHead = {}, False
-    for items in headers.values():
-        for position, item in enumerate(items):
-            text = item.text if isinstance(item, Comment) else item.leading
-            isHead = isHead or text.startswith("Bits of ")
-            if isinstance(item, Declaration):
-                if isHead and item.kind == "define":
-                    prefix = flag_prefix(item.name)
-                    isAlone = bool(item.leading.startswith("Bits of ")) and not has_next_flag(items, position)
-                    anchors.setdefault(prefix, item.name if isAlone else f"bits_{prefix.rstrip('_').lower()}")
-                isHead = False
-    return anchors

@@ -2,7 +2,7 @@
 import re
 
 WORD = re.compile(r"`(?P<code>[^`]+)`|(?P<page>(?<![\w/.-])[\w-]+(?:/[\w-]+)*\.md\b)|(?P<header>\b(?:agaa/)?\w+\.h\b)|"
-                  r"(?P<bits>\bAGAA_[A-Z0-9]+(?:_[A-Z0-9]+)*_…)|(?P<name>\b[A-Za-z_]\w*(?:::[A-Za-z_]\w*)?(?:\(\))?)")
+                  r"(?P<bits>\bAGAA_[A-Z0-9]+(?:_[A-Z0-9]+)*_…)|(?P<name>\b[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*(?:\(\))?)")
 SPECIAL = str.maketrans({"\\": "\\\\", "@": "\\@", "&": "&amp;", "<": "&lt;", ">": "&gt;", "#": "\\#", "%": "\\%",
                          "\"": "&quot;", "$": "\\$"})
 
@@ -10,7 +10,12 @@ SPECIAL = str.maketrans({"\\": "\\\\", "@": "\\@", "&": "&amp;", "<": "&lt;", ">
 def escape(text):
     text = text.translate(SPECIAL)
     text = re.sub(r"--+", lambda dashes: "\\" + dashes[0] if len(dashes[0]) < 4 else "&minus;" * len(dashes[0]), text)
-    return text.replace("*/", "*&zwj;/")
+    return text.replace("::", "\\::").replace("*/", "*&zwj;/")
+
+
+def title(text):
+    """The title of a group or a page, in which Doxygen reads entities everywhere but escapes in some places only."""
+    return text.replace("`", "").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("*/", "*&zwj;/")
 
 
 class Linker:
@@ -38,10 +43,8 @@ class Linker:
             return self.reference(name, text)
         return escape(text)
 
-    def render(self, text, isCode=False, isPlain=False):
-        """Text with escapes and links; `code` between backticks. Plain text has neither links nor code."""
-        if isPlain:
-            return escape(text.replace("`", ""))
+    def render(self, text, isCode=False):
+        """Text with escapes and links; `code` between backticks."""
         made, position = [], 0
         for found in WORD.finditer(text):
             made.append(escape(text[position:found.start()]))
