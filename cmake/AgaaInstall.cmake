@@ -10,6 +10,7 @@ install(TARGETS agaa EXPORT agaa-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES include/agaa_sdk.h include/agaa_vk.h include/agaa_gl.h
+        include/agaa.hpp include/agaa_vk.hpp include/agaa_gl.hpp
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(DIRECTORY include/agaa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 

@@ -19,7 +19,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 FOLDERS = "src", "include", "conformance", "samples", "benchmark", "cmake"
-C_SUFFIXES = ".c", ".h", ".cpp", ".inc", ".glsl", ".comp", ".vert", ".frag", ".geom"
+C_SUFFIXES = ".c", ".h", ".cpp", ".hpp", ".inc", ".glsl", ".comp", ".vert", ".frag", ".geom"
 HASH_NAMES = ".py", ".cmake", ".txt"
 COLUMNS = 120
 
@@ -138,7 +138,7 @@ RETIRED = {
 }
 PATHS = re.compile(r"(?<![\w./-])(?:src|include|tests|docs|samples|tools|benchmark|scripts|conformance|cmake|abi|"
                    r"bindings|packaging)/[\w./-]*\w")
-BASENAMES = re.compile(r"(?<![\w./<-])(?:[\w-]+/)*[\w-]{2,}\.(?:glsl|comp|inc|cpp|h|md|py|json)\b(?!\()")
+BASENAMES = re.compile(r"(?<![\w./<-])(?:[\w-]+/)*[\w-]{2,}\.(?:glsl|comp|inc|cpp|hpp|h|md|py|json)\b(?!\()")
 PLACEHOLDER = re.compile(r"NAME|FOLDER")
 OUTSIDE = re.compile(r"(?<![\w.])(?:\.\./|/(?:work|tmp|home|root)/|shared/)|hard-cases\.md|\bSDK design\b|"
                      r"\bissues? #?\d+", re.IGNORECASE)

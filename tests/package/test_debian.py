@@ -133,7 +133,7 @@ class Hosts(Extracted):
             "-DCMAKE_C_FLAGS=-Werror")
         run(CMAKE, "--build", hosts)
         for host in ("minimal_vk", "minimal_gl", "gbuffer_gl", "gbuffer_vk", "ids_gl", "ids_vk", "triangles_gl",
-                     "triangles_vk", "checked_gl"):
+                     "triangles_vk", "checked_gl", "minimal_cpp"):
             self.assertIn(str(self.libraries), run("ldd", hosts / host))
         run(sys.executable, SOURCE / "tests" / "minimal" / "test_minimal.py", "Both",
             env=dict(os.environ, AGAA_MINIMAL=str(hosts)))

@@ -48,7 +48,11 @@ class Install(unittest.TestCase):
 class Contents(unittest.TestCase):
     def test_headers_are_the_public_ones(self):
         self.assertEqual(sorted(path.name for path in (PREFIX / "include").iterdir()),
-                         ["agaa", "agaa_conformance.h", "agaa_gl.h", "agaa_sdk.h", "agaa_vk.h"])
+                         ["agaa", "agaa.hpp", "agaa_conformance.h", "agaa_gl.h", "agaa_gl.hpp", "agaa_sdk.h", "agaa_vk.h",
+                          "agaa_vk.hpp"])
+        source, installed = (sorted(path.relative_to(root).as_posix() for path in (root / "agaa").rglob("*.h*"))
+                             for root in (SOURCE / "include", PREFIX / "include"))
+        self.assertEqual(installed, source)
 
     def test_documents_are_there(self):
         documents = PREFIX / "share" / "doc" / "agaa"
@@ -148,7 +152,7 @@ class Examples(unittest.TestCase):
                              "-DCMAKE_C_FLAGS=-Werror")
         run(CMAKE, "--build", build)
         for host in ("minimal_vk", "minimal_gl", "gbuffer_gl", "gbuffer_vk", "ids_gl", "ids_vk", "triangles_gl",
-                     "triangles_vk"):
+                     "triangles_vk", "minimal_cpp"):
             self.assertIn(str(LIBRARY.parent), run("ldd", build / host))
         run(sys.executable, SOURCE / "tests" / "minimal" / "test_minimal.py",
             env=dict(os.environ, AGAA_MINIMAL=str(build)))

@@ -1,6 +1,6 @@
 // All public headers in C++, and a call into each.
-#include "agaa_gl.h"
-#include "agaa_vk.h"
+#include "agaa_gl.hpp"
+#include "agaa_vk.hpp"
 
 int main() {
     AgaaVkRequirements vk = AGAA_VK_REQUIREMENTS_INIT;
@@ -9,5 +9,12 @@ int main() {
         return 1;
     if (agaaVkGetRequirements(&vk) != AGAA_OK || vk.requiredFeatureCount == 0)
         return 2;
-    return agaaGlGetRequirements(&gl) == AGAA_OK && gl.majorVersion == 4 ? 0 : 3;
+    if (agaaGlGetRequirements(&gl) != AGAA_OK || gl.majorVersion != 4)
+        return 3;
+    const auto vkAgain = agaa::vk::getRequirements();
+    const auto glAgain = agaa::gl::getRequirements();
+    return vkAgain && vkAgain->requiredFeatureCount == vk.requiredFeatureCount && glAgain &&
+                   glAgain->majorVersion == gl.majorVersion
+               ? 0
+               : 4;
 }
