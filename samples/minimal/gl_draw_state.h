@@ -15,8 +15,7 @@ static void enable(GLenum capability, uint32_t isEnabled) {
 /* Sets the state that a draw pass requires. */
 static void setState(const AgaaDrawState* state) {
     static const GLenum compareOps[] = {GL_LESS, GL_GREATER, GL_EQUAL, GL_ALWAYS};
-    const GLboolean writes[4] = {state->colorWriteMask & 1, state->colorWriteMask >> 1 & 1,
-                                 state->colorWriteMask >> 2 & 1, state->colorWriteMask >> 3 & 1};
+    const uint32_t mask = state->colorWriteMask;
     enable(GL_DEPTH_TEST, 1);
     glDepthFunc(compareOps[state->depthCompare]);
     glDepthMask((GLboolean)state->depthWrite);
@@ -24,7 +23,7 @@ static void setState(const AgaaDrawState* state) {
     glStencilFunc(GL_EQUAL, 0, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     glStencilMask(0xFF);
-    glColorMask(writes[0], writes[1], writes[2], writes[3]);
+    glColorMask((mask & 1) != 0, (mask & 2) != 0, (mask & 4) != 0, (mask & 8) != 0);
     enable(GL_SAMPLE_SHADING, state->sampleShading);
     glMinSampleShading(1.0f);
     enable(GL_MULTISAMPLE, 1);

@@ -1,4 +1,5 @@
-/* The parts that the minimal hosts share: errors, the scene, the SDK's statistics and the image file.
+/* The parts that the minimal hosts share: errors, the scene, the SDK's statistics and the image file. Headers that
+ * minimal_cpp.cpp includes are C99 and C++17.
  * SPDX-License-Identifier: MIT
  */
 #pragma once
@@ -82,16 +83,15 @@ static AgaaViewDesc describeView(void) {
 /* Describes a frame. y points down, so that row 0 of the output is the top of the image. The near plane is at clip z
  * = nearZ, the far plane at 1. */
 static AgaaFrame describeFrame(uint64_t frameIndex, float nearZ) {
-    static const AgaaLight sun = {.type = AGAA_LIGHT_DIRECTIONAL,
-                                  .shadowMap = AGAA_NO_SHADOW,
-                                  .direction = {0.0f, -0.6f, -0.8f},
-                                  .color = {3.0f, 2.9f, 2.7f}};
+    static AgaaLight sun = AGAA_LIGHT_INIT; /* directional, without a shadow map */
     const float focal = 1.7320508f; /* vertical field of view of 60 degrees */
     const float nearest = 0.1f, farthest = 100.0f, depth = farthest - nearest;
     AgaaFrame frame = AGAA_FRAME_INIT; /* the view matrix is the identity: the camera looks along -z */
+    sun.direction[1] = -0.6f, sun.direction[2] = -0.8f;
+    sun.color[0] = 3.0f, sun.color[1] = 2.9f, sun.color[2] = 2.7f;
     frame.frameIndex = frameIndex;
     frame.completedFrame = frameIndex - 1; /* the host waited for the previous frame */
-    frame.projection[0] = focal * height / width;
+    frame.projection[0] = focal * (float)height / (float)width;
     frame.projection[5] = -focal;
     frame.projection[10] = (nearZ * nearest - farthest) / depth;
     frame.projection[11] = -1.0f;

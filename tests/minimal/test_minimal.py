@@ -240,5 +240,20 @@ class Both(Minimal):
         self.assertLessEqual(sum(d > 4 for d in differences), len(differences) / 1000)
 
 
+class Cpp(Minimal):
+    def test_renders_what_the_host_in_c_renders(self):
+        with tempfile.TemporaryDirectory() as folder:
+            images = {name: pathlib.Path(folder) / f"{name}.ppm" for name in ("minimal_cpp", "minimal_gl")}
+            printed = {name: run(name, path) for name, path in images.items()}
+            for name, result in printed.items():
+                self.assertEqual((result.returncode, result.stderr), (0, ""), name)
+            self.check_output(printed["minimal_cpp"].stdout, self.samples)
+            self.assertEqual(printed["minimal_cpp"].stdout, printed["minimal_gl"].stdout)
+            self.assertTrue(images["minimal_cpp"].read_bytes() == images["minimal_gl"].read_bytes(), "the images differ")
+
+    def test_refusals(self):
+        self.check_refusals("minimal_cpp")
+
+
 if __name__ == "__main__":
     unittest.main()
