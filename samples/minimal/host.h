@@ -84,7 +84,7 @@ static AgaaViewDesc describeView(void) {
  * = nearZ, the far plane at 1. */
 static AgaaFrame describeFrame(uint64_t frameIndex, float nearZ) {
     static AgaaLight sun = AGAA_LIGHT_INIT; /* directional, without a shadow map */
-    const float focal = 1.7320508f; /* vertical field of view of 60 degrees */
+    const float focal = 1.7320508f;         /* vertical field of view of 60 degrees */
     const float nearest = 0.1f, farthest = 100.0f, depth = farthest - nearest;
     AgaaFrame frame = AGAA_FRAME_INIT; /* the view matrix is the identity: the camera looks along -z */
     sun.direction[1] = -0.6f, sun.direction[2] = -0.8f;

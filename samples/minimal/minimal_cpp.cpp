@@ -31,23 +31,23 @@ struct Host {
     std::vector<GLuint> programs;
     GLuint vertexArray = 0, output = 0;
     AgaaFrame frame = agaa::init<AgaaFrame>();
-
     /* Draws the scene in the pass of a target. The SDK calls it through AgaaFrame::draw. */
     AgaaResult operator()(const AgaaDrawTarget* target) noexcept;
 };
 
-static void begin(Host& host) {
+static void beginContext(Host& host) {
     AgaaContextDesc desc = agaa::init<AgaaContextDesc>();
     AgaaGlDeviceDesc device = agaa::init<AgaaGlDeviceDesc>();
     device.getProcAddr = getProcAddr;
     desc.log = host.log.get();
     desc.framesInFlight = 1; /* the host waits for each frame */
     host.context = need(agaa::gl::createContext(agaa::chain(desc, device)), "createContext");
+}
 
+static void beginView(Host& host) {
     AgaaViewDesc view = describeView();
     view.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* the host does not call glClipControl */
     host.view = need(agaa::gl::createView(host.context.get(), view), "createView");
-
     host.passes = need(agaa::getDrawPasses(host.view.get()), "getDrawPasses");
     for (const AgaaDrawPass& pass : host.passes)
         host.programs.push_back(createProgram(pass.glslExtensions, pass.glslDeclarations, vertexCode, materialCode));
@@ -87,7 +87,8 @@ int main(int argumentCount, char** arguments) {
         Host host; /* ends while the OpenGL context is current */
         glGenVertexArrays(1, &host.vertexArray);
         host.output = createOutput();
-        begin(host);
+        beginContext(host);
+        beginView(host);
         renderFrames(host);
         writeOutput(host.output, arguments[1]);
         for (const GLuint program : host.programs)

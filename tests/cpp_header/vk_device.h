@@ -53,7 +53,7 @@ private:
             throw std::runtime_error("a Vulkan function failed");
     }
 
-    // With all features of Vulkan 1.0. Queue family 0 has graphics and compute in all drivers that the tests know.
+    // Enables all features of Vulkan 1.0. Queue family 0 has graphics and compute in the drivers that the tests know.
     void createDevice() {
         VkPhysicalDeviceFeatures features;
         vkGetPhysicalDeviceFeatures(physicalDevice, &features);
