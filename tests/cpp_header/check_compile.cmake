@@ -1,5 +1,6 @@
 # Compiles each C++ header alone, and use.cpp, as C++17 and C++20, with Microsoft's extensions off and on, without
-# exceptions and RTTI, and with every warning an error. CXX is the compiler, HEADERS the folder, USE the file.
+# exceptions and RTTI, and with every warning an error. CXX is the compiler, HEADERS the folder, USE the file. MISTAKES
+# is a file whose every mistake the compiler must report.
 if(NOT CXX)
   message(STATUS "clang++ is not installed")
   return()
@@ -18,3 +19,17 @@ foreach(header agaa agaa_vk agaa_gl)
 endforeach()
 compile(-std=c++17 -fms-extensions -c -o /dev/null ${USE})
 compile(-std=c++20 -fno-ms-extensions -c -o /dev/null ${USE})
+
+execute_process(COMMAND ${CXX} -std=c++17 -Wall -Werror -fsyntax-only -I${HEADERS} ${MISTAKES} ERROR_VARIABLE messages)
+file(STRINGS ${MISTAKES} mistakes REGEX "// EXPECT: ")
+list(LENGTH mistakes count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "${MISTAKES} has no mistakes.")
+endif()
+foreach(mistake IN LISTS mistakes)
+  string(REGEX REPLACE ".*// EXPECT: " "" expected "${mistake}")
+  string(FIND "${messages}" "${expected}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "${CXX} does not report the mistake \"${expected}\":\n${messages}")
+  endif()
+endforeach()

@@ -106,6 +106,10 @@ TEST_F(Queries, Prices) {
     const auto prices = agaa::queryPrices(view, nullptr, log);
     ASSERT_TRUE(prices);
     EXPECT_GT(prices->size(), 20u);
+    size_t count = 0;
+    for (const AgaaPrice& price : agaa::queryPrices(view).value()) // a temporary that the loop keeps
+        count += agaa::text(price.reason).empty() == (price.isPossible == 1);
+    EXPECT_EQ(count, prices->size());
     EXPECT_EQ(prices->front().kind, uint32_t(AGAA_PRICE_VIEW));
     EXPECT_EQ(prices->front().totalBytes, int64_t(agaa::queryMemory(view)->totalBytes));
 }

@@ -43,11 +43,11 @@ public:
 
     [[nodiscard]] T& value() & noexcept { return checked(*this); }
     [[nodiscard]] const T& value() const& noexcept { return checked(*this); }
-    // The result keeps a moved-from value.
-    [[nodiscard]] T&& value() && noexcept { return std::move(checked(*this)); }
+    // Moves the value out, so that a loop may run over a list that a function has just returned.
+    [[nodiscard]] T value() && { return std::move(checked(*this)); }
     [[nodiscard]] T& operator*() & noexcept { return checked(*this); }
     [[nodiscard]] const T& operator*() const& noexcept { return checked(*this); }
-    [[nodiscard]] T&& operator*() && noexcept { return std::move(checked(*this)); }
+    [[nodiscard]] T operator*() && { return std::move(checked(*this)); }
     [[nodiscard]] T* operator->() noexcept { return std::addressof(checked(*this)); }
     [[nodiscard]] const T* operator->() const noexcept { return std::addressof(checked(*this)); }
 
