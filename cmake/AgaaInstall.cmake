@@ -20,6 +20,10 @@ install(FILES abi/agaa.json bindings/python/agaa.py bindings/csharp/Agaa.cs
 install(DIRECTORY bindings/rust/agaa-sys DESTINATION ${CMAKE_INSTALL_DATADIR}/agaa COMPONENT development
   PATTERN target EXCLUDE PATTERN Cargo.lock EXCLUDE)
 
+if(WIN32 AND NOT AGAA_STATIC)
+  install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/agaa.def DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+endif()
+
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/agaa)
 install(EXPORT agaa-targets NAMESPACE agaa:: DESTINATION ${package_dir} COMPONENT development)
 configure_package_config_file(cmake/agaa-config.cmake.in ${PROJECT_BINARY_DIR}/agaa-config.cmake
@@ -41,6 +45,14 @@ else()
   set(pc_prefix "\${pcfiledir}/${to_prefix}")
   set(pc_libdir "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
   set(pc_includedir "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
+set(pc_static_libs "")
+set(pc_static_flags "")
+if(AGAA_STATIC)
+  set(pc_static_flags " -DAGAA_STATIC")
+  list(JOIN glslang_libraries " -l" pc_static_libs)
+  string(PREPEND pc_static_libs " -l")
+  string(APPEND pc_static_libs " -lzstd -lstdc++ -lm -lpthread")
 endif()
 configure_file(cmake/agaa.pc.in ${PROJECT_BINARY_DIR}/agaa.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/agaa.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

@@ -12,15 +12,18 @@
 #define AGAA_HEADER_VERSION                                                                                            \
     (((uint32_t)AGAA_VERSION_MAJOR << 22) | ((uint32_t)AGAA_VERSION_MINOR << 12) | (uint32_t)AGAA_VERSION_PATCH)
 
-#if defined(_WIN32)
-#if defined(AGAA_BUILDING)
+#if defined(AGAA_STATIC) /* the host links the static library */
+#define AGAA_API
+#elif !defined(_WIN32)
+#define AGAA_API __attribute__((visibility("default")))
+#elif defined(AGAA_BUILDING)
 #define AGAA_API __declspec(dllexport)
 #else
 #define AGAA_API __declspec(dllimport)
 #endif
+#if defined(_WIN32)
 #define AGAA_CALL __cdecl
 #else
-#define AGAA_API __attribute__((visibility("default")))
 #define AGAA_CALL
 #endif
 
