@@ -145,6 +145,10 @@ class Consumers(unittest.TestCase):
         run(CMAKE, "--install", build, "--prefix", prefix)
         self.assertFalse(prefix.exists(), "A subproject installs the SDK.")
 
+    def test_static_library_without_its_users(self):
+        with self.assertRaisesRegex(AssertionError, "AGAA_STATIC needs AGAA_SAMPLES"):
+            configure(SOURCE, "static-samples", "-DAGAA_STATIC=ON")
+
 
 class Examples(unittest.TestCase):
     def test_minimal_hosts(self):

@@ -1,0 +1,55 @@
+# Runs a port of vcpkg: PORT is its folder, PREFIX where it installs, LINKAGE dynamic or static, OPTIONS are further ones
+# of CMake. The functions do what vcpkg documents of them, as far as a port for one configuration needs it.
+cmake_minimum_required(VERSION 3.25)
+set(VCPKG_LIBRARY_LINKAGE ${LINKAGE})
+set(CURRENT_PACKAGES_DIR ${PREFIX})
+set(build ${PREFIX}-build)
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+function(vcpkg_cmake_configure)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "SOURCE_PATH" "OPTIONS")
+  file(REMOVE_RECURSE ${build})
+  run(${CMAKE_COMMAND} -S ${arg_SOURCE_PATH} -B ${build} ${arg_OPTIONS} ${OPTIONS})
+endfunction()
+
+function(vcpkg_cmake_install)
+  run(${CMAKE_COMMAND} --build ${build})
+  run(${CMAKE_COMMAND} --install ${build} --prefix ${PREFIX})
+endfunction()
+
+# Moves the package files to share/PORT, from where the prefix is as many folders up as CMake wrote for CONFIG_PATH.
+function(vcpkg_cmake_config_fixup)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "CONFIG_PATH" "")
+  file(GLOB files ${PREFIX}/${arg_CONFIG_PATH}/*.cmake)
+  foreach(file IN LISTS files)
+    cmake_path(GET file FILENAME name)
+    file(READ ${file} text)
+    string(REPLACE "/../../../" "/../../" text "${text}")
+    set(up "get_filename_component(_IMPORT_PREFIX \"\${_IMPORT_PREFIX}\" PATH)")
+    string(REPLACE "${up}\n${up}" "${up}" text "${text}")
+    file(WRITE ${PREFIX}/share/agaa/${name} "${text}")
+  endforeach()
+  if(NOT files)
+    message(FATAL_ERROR "The port installs no package files into ${arg_CONFIG_PATH}.")
+  endif()
+  file(REMOVE_RECURSE ${PREFIX}/lib/cmake)
+endfunction()
+
+function(vcpkg_fixup_pkgconfig)
+  if(NOT EXISTS ${PREFIX}/lib/pkgconfig/agaa.pc)
+    message(FATAL_ERROR "The port installs no agaa.pc.")
+  endif()
+endfunction()
+
+function(vcpkg_install_copyright)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "FILE_LIST")
+  foreach(file IN LISTS arg_FILE_LIST)
+    file(READ ${file} text)
+    file(APPEND ${PREFIX}/share/agaa/copyright "${text}\n")
+  endforeach()
+endfunction()
+
+include(${PORT}/portfile.cmake)
