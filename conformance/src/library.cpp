@@ -1,6 +1,10 @@
 #include "library.h"
 
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <dlfcn.h>
+#endif
 
 #include <stdexcept>
 
@@ -8,9 +12,45 @@ namespace agaa::conformance {
 
 namespace {
 
-AgaaConformanceFunction findInProgram(void*, const char* name) {
-    return reinterpret_cast<AgaaConformanceFunction>(dlsym(RTLD_DEFAULT, name));
+#ifdef _WIN32
+
+void* open(const std::string& path) {
+    if (const HMODULE library = LoadLibraryA(path.c_str()))
+        return library;
+    throw std::runtime_error("Windows cannot load " + path + ": error " + std::to_string(GetLastError()) + ".");
 }
+
+void close(void* library) { FreeLibrary(static_cast<HMODULE>(library)); }
+
+AgaaConformanceFunction findIn(void* library, const char* name) {
+    return reinterpret_cast<AgaaConformanceFunction>(GetProcAddress(static_cast<HMODULE>(library), name));
+}
+
+// Windows has no search in all libraries of a program.
+AgaaConformanceFunction findInProgram(void*, const char* name) {
+    for (const char* library : {"agaa.dll", "libagaa.dll"})
+        if (const HMODULE found = GetModuleHandleA(library))
+            return findIn(found, name);
+    return findIn(GetModuleHandleA(nullptr), name);
+}
+
+#else
+
+void* open(const std::string& path) {
+    if (void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL))
+        return library;
+    throw std::runtime_error(dlerror());
+}
+
+void close(void* library) { dlclose(library); }
+
+AgaaConformanceFunction findIn(void* library, const char* name) {
+    return reinterpret_cast<AgaaConformanceFunction>(dlsym(library, name));
+}
+
+AgaaConformanceFunction findInProgram(void*, const char* name) { return findIn(RTLD_DEFAULT, name); }
+
+#endif
 
 } // namespace
 
@@ -26,15 +66,12 @@ Functions findFunctions(AgaaConformanceGetFunction getFunction, void* user, std:
     return found;
 }
 
-Library::Library(const std::string& path) : path_(path), handle_(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
-    if (!handle_)
-        throw std::runtime_error(dlerror());
-}
+Library::Library(const std::string& path) : path_(path), handle_(open(path)) {}
 
-Library::~Library() { dlclose(handle_); }
+Library::~Library() { close(handle_); }
 
 AgaaConformanceFunction Library::find(void* library, const char* name) {
-    return reinterpret_cast<AgaaConformanceFunction>(dlsym(static_cast<Library*>(library)->handle_, name));
+    return findIn(static_cast<Library*>(library)->handle_, name);
 }
 
 } // namespace agaa::conformance

@@ -12,8 +12,12 @@ namespace agaa::conformance {
 namespace {
 
 struct Arguments {
+#ifdef _WIN32
+    std::string library = "agaa.dll";
+#else
     std::string library = // found by its soname
         "libagaa.so." + std::to_string(AGAA_VERSION_MAJOR) + "." + std::to_string(AGAA_VERSION_MINOR);
+#endif
     std::string filter, device, json, junit;
     std::vector<std::string> backends = {"core", "vk", "gl"};
     bool list = false, verbose = false;

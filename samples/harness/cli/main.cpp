@@ -9,7 +9,12 @@
 #include <stdexcept>
 #include <string_view>
 
+#ifdef _WIN32
+#include <process.h>
+#include <windows.h>
+#else
 #include <unistd.h>
+#endif
 
 using namespace harness;
 
@@ -113,10 +118,20 @@ void addMotionOptions(CLI::App& app, MotionArguments& a) {
     app.add_option("--images", a.images, "folder for the frames of each row and of the references");
 }
 
+std::filesystem::path thisProgram() {
+#ifdef _WIN32
+    wchar_t path[4096];
+    return std::filesystem::path(path, path + GetModuleFileNameW(nullptr, path, 4096));
+#else
+    return std::filesystem::read_symlink("/proc/self/exe");
+#endif
+}
+
 // Replaces this process by the agaa-sweep beside it. arguments: null-terminated, as of main(); the first one is
 // replaced.
 [[noreturn]] void execSweep(char** arguments) {
-    const std::string program = std::filesystem::read_symlink("/proc/self/exe").replace_filename("agaa-sweep");
+    const std::string program =
+        thisProgram().replace_filename("agaa-sweep").replace_extension(thisProgram().extension()).string();
     std::string name = "agaa-sweep";
     arguments[0] = name.data();
     execv(program.c_str(), arguments);

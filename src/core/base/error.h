@@ -16,8 +16,15 @@ struct Error {
     std::string message; // one sentence
 };
 
+// MinGW's printf is the one of C99, which its compiler must be told.
+#if defined(__MINGW32__)
+#define AGAA_PRINTF gnu_printf
+#else
+#define AGAA_PRINTF printf
+#endif
+
 // Formats sentences. It uses the locale: text for compilers and parsers must not contain its floating-point output.
-[[gnu::format(printf, 1, 2)]] inline std::string format(const char* pattern, ...) {
+[[gnu::format(AGAA_PRINTF, 1, 2)]] inline std::string format(const char* pattern, ...) {
     va_list arguments;
     va_start(arguments, pattern);
     char text[1024];

@@ -1,14 +1,12 @@
 #include "core/frame/context.h"
 
+#include "core/base/aligned_memory.h"
 #include "core/base/error.h"
-
-#include <cstdlib>
 
 namespace agaa {
 
 void* HostAllocator::allocate(size_t size, size_t alignment) const {
-    void* memory = allocateCallback ? allocateCallback(user, size, alignment)
-                                    : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    void* memory = allocateCallback ? allocateCallback(user, size, alignment) : allocateAligned(size, alignment);
     require(memory, AGAA_ERROR_OUT_OF_MEMORY, "host memory could not be allocated.");
     return memory;
 }
@@ -17,7 +15,7 @@ void HostAllocator::free(void* memory) const {
     if (freeCallback)
         freeCallback(user, memory);
     else
-        std::free(memory);
+        freeAligned(memory);
 }
 
 } // namespace agaa

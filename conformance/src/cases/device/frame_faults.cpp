@@ -1,11 +1,9 @@
 // Functions of the graphics API fail one after the other while a frame is recorded.
 #include "cases.h"
 #include "frame_rig.h"
+#include "host_memory.h"
 #include "survived.h"
 #include "vk_interposer.h"
-
-#include <algorithm>
-#include <cstdlib>
 
 namespace agaa::conformance {
 
@@ -60,9 +58,9 @@ struct CountedMemory {
     uint32_t calls = 0;
     static void* AGAA_CALL allocate(void* user, size_t size, size_t alignment) {
         ++static_cast<CountedMemory*>(user)->calls;
-        return std::aligned_alloc(std::max(alignment, sizeof(void*)), (size + alignment - 1) / alignment * alignment);
+        return allocateHostMemory(size, alignment);
     }
-    static void AGAA_CALL release(void*, void* memory) { std::free(memory); }
+    static void AGAA_CALL release(void*, void* memory) { freeHostMemory(memory); }
     void use(ContextDescription& description) {
         description.desc.allocate = allocate;
         description.desc.free = release;

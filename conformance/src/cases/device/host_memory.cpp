@@ -4,9 +4,9 @@
 
 #include "cases/core/structs.h"
 #include "cases/core/view_parts.h"
+#include "host_memory.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 
 namespace agaa::conformance {
@@ -24,8 +24,7 @@ struct HostMemory {
             self.errors.push_back("asks for an alignment of " + std::to_string(alignment) + ".");
         if (self.calls++ == self.failing)
             return nullptr;
-        void* memory =
-            std::aligned_alloc(std::max(alignment, sizeof(void*)), (size + alignment - 1) / alignment * alignment);
+        void* memory = allocateHostMemory(size, alignment);
         self.blocks[memory] = size;
         return memory;
     }
@@ -33,7 +32,7 @@ struct HostMemory {
         auto& self = *static_cast<HostMemory*>(user);
         if (memory && !self.blocks.erase(memory))
             self.errors.push_back("frees memory that was not allocated or is freed already.");
-        std::free(memory);
+        freeHostMemory(memory);
     }
     bool contains(const void* handle) const {
         const auto address = uintptr_t(handle);

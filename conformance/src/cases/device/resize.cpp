@@ -2,8 +2,8 @@
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
+#include "host_memory.h"
 
-#include <cstdlib>
 #include <cstring>
 #include <map>
 
@@ -193,14 +193,13 @@ struct CountedMemory {
         auto& self = *static_cast<CountedMemory*>(user);
         if (self.failAt && --self.failAt == 0)
             return nullptr;
-        void* memory =
-            std::aligned_alloc(std::max(alignment, sizeof(void*)), (size + alignment - 1) / alignment * alignment);
+        void* memory = allocateHostMemory(size, alignment);
         self.blocks[memory] = size;
         return memory;
     }
     static void AGAA_CALL release(void* user, void* memory) {
         static_cast<CountedMemory*>(user)->blocks.erase(memory);
-        std::free(memory);
+        freeHostMemory(memory);
     }
 };
 
