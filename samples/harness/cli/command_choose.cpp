@@ -12,8 +12,6 @@ namespace harness {
 
 using nlohmann::json;
 
-namespace {
-
 AgaaGoal goalOf(const ChooseArguments& arguments) {
     AgaaGoal goal = AGAA_GOAL_INIT;
     goal.maxErrorShare = arguments.maxError;
@@ -30,24 +28,8 @@ AgaaGoal goalOf(const ChooseArguments& arguments) {
     return goal;
 }
 
-// Reads times and counts from different frames, because counting makes frames slower.
-AgaaObservation observe(Renderer& renderer, RenderSettings settings, AgaaViewDesc view, TechniqueConfig& config) {
-    AgaaObservation observation = AGAA_OBSERVATION_INIT;
-    Sdk sdk;
-    settings.warmup = 1;
-    settings.frames = 3;
-    for (const uint64_t flag : {AGAA_CONFIG_COUNTERS, AGAA_CONFIG_TIMESTAMPS}) {
-        settings.config.flags = config.flags = flag;
-        for (const AgaaFrameStatistics& frame : renderer.render(settings).statistics)
-            sdk.check(agaaObserve(&view, &renderer.caps(), sdk.log(), &frame, &observation));
-    }
-    config.flags = 0;
-    return observation;
-}
-
-// Prints the options of `render` for the chosen settings.
-json optionsJson(const AgaaChoice& choice) {
-    json options = json::array();
+std::vector<std::string> optionsOf(const AgaaChoice& choice) {
+    std::vector<std::string> options;
     const auto add = [&](const char* name, const std::string& value) {
         options.push_back(name);
         options.push_back(value);
@@ -63,6 +45,23 @@ json optionsJson(const AgaaChoice& choice) {
     if (choice.generationTier != AGAA_TIER_AUTO)
         add("--tier", std::string("generation=") + agaaTierName(choice.generationTier));
     return options;
+}
+
+namespace {
+
+// Reads times and counts from different frames, because counting makes frames slower.
+AgaaObservation observe(Renderer& renderer, RenderSettings settings, AgaaViewDesc view, TechniqueConfig& config) {
+    AgaaObservation observation = AGAA_OBSERVATION_INIT;
+    Sdk sdk;
+    settings.warmup = 1;
+    settings.frames = 3;
+    for (const uint64_t flag : {AGAA_CONFIG_COUNTERS, AGAA_CONFIG_TIMESTAMPS}) {
+        settings.config.flags = config.flags = flag;
+        for (const AgaaFrameStatistics& frame : renderer.render(settings).statistics)
+            sdk.check(agaaObserve(&view, &renderer.caps(), sdk.log(), &frame, &observation));
+    }
+    config.flags = 0;
+    return observation;
 }
 
 json limitsJson(uint32_t missed) {
@@ -92,7 +91,7 @@ json choiceJson(const AgaaChoice& choice) {
             {"samples", choice.samples},
             {"aggregates", choice.aggregates},
             {"tier", choice.generationTier ? json(agaaTierName(choice.generationTier)) : json()},
-            {"options", optionsJson(choice)},
+            {"options", optionsOf(choice)},
             {"errorShare", choice.errorShare},
             {"errorShareMedian", choice.errorShareMedian},
             {"errorShareWorst", choice.errorShareWorst},

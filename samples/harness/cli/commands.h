@@ -123,6 +123,11 @@ std::shared_ptr<const Motion> sceneMotion(const std::string& name, Scene& scene,
 // Returns the lights that remain after --without.
 std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector<Light> lights);
 
+// Returns the goal of the limits, without measured settings. Throws BadArgument.
+AgaaGoal goalOf(const ChooseArguments& arguments);
+// Returns options of `render`, names and values in turn, for the chosen settings.
+std::vector<std::string> optionsOf(const AgaaChoice& choice);
+
 // Shared by commands that render.
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);
 // Throws BadArgument if there is no such scene. Prints the features of a file that the scene does not have to stderr.
@@ -130,5 +135,7 @@ Scene loadSceneArgument(const std::string& nameOrPath);
 // Returns the scene of the arguments, with the clear coats that they ask for.
 Scene sceneOf(const RenderArguments& arguments);
 RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration, const Scene& scene);
+// Returns the image that a PNG of it shows: counts of debug views are scaled.
+Image shownImage(Image image, const TechniqueConfig& config);
 
 } // namespace harness

@@ -155,6 +155,14 @@ std::shared_ptr<const Motion> sceneMotion(const std::string& name, Scene& scene,
     throw BadArgument("--motion names \"" + name + "\"; it can be " + known + ".");
 }
 
+Image shownImage(Image image, const TechniqueConfig& config) {
+    const uint32_t view = config.measurement.debugView;
+    if (view == AGAA_DEBUG_VIEW_EVENTS || view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_PRIMITIVES)
+        for (float& value : image.rgb) // one event is mid-grey, eight are near white
+            value *= 0.25f;
+    return image;
+}
+
 namespace {
 
 json quantilesJson(const std::vector<double>& values) {
@@ -323,14 +331,8 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     if (configuration.fitsFragmentCapacity)
         fitFragmentCapacity(*renderer, settings);
     const Measurement m = measure(*renderer, settings, arguments);
-    if (!arguments.png.empty()) {
-        Image shown = m.plain.image;
-        const uint32_t view = settings.config.measurement.debugView;
-        if (view == AGAA_DEBUG_VIEW_EVENTS || view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_PRIMITIVES)
-            for (float& value : shown.rgb) // one event is mid-grey, eight are near white
-                value *= 0.25f;
-        writePng(arguments.png, shown);
-    }
+    if (!arguments.png.empty())
+        writePng(arguments.png, shownImage(m.plain.image, settings.config));
     if (!arguments.exr.empty()) {
         writeExr(arguments.exr, m.plain.image);
         writeResolved(arguments, m.plain.resolved);

@@ -16,7 +16,6 @@ namespace harness {
 
 namespace {
 
-using Pixel = std::array<uint8_t, 3>;
 // Values that are not a number get a colour that shading does not produce, so that they are visible.
 constexpr Pixel magenta = {255, 0, 255};
 
@@ -48,10 +47,10 @@ constexpr int lossless = 0;
 
 // Encodes into memory first, because the library's file functions do not report a full disk. The quality is in [1, 100]
 // for JPEG, or `lossless` for PNG.
-void writeBytes(const std::filesystem::path& path, const Image& size, const std::vector<Pixel>& pixels,
+void writeBytes(const std::filesystem::path& path, uint32_t columns, uint32_t rows, const std::vector<Pixel>& pixels,
                 int quality = lossless) {
     std::vector<char> encoded;
-    const int width = int(size.width), height = int(size.height);
+    const int width = int(columns), height = int(rows);
     const bool isEncoded =
         quality == lossless ? stbi_write_png_to_func(appendBytes, &encoded, width, height, 3, pixels.data(), width * 3)
                             : stbi_write_jpg_to_func(appendBytes, &encoded, width, height, 3, pixels.data(), quality);
@@ -66,8 +65,10 @@ void writeBytes(const std::filesystem::path& path, const Image& size, const std:
         fail(path, "not all of it could be written");
 }
 
-std::vector<Pixel> shownPixels(const std::filesystem::path& path, const Image& image) {
-    requireForFile(path, image);
+} // namespace
+
+std::vector<Pixel> displayPixels(const Image& image) {
+    requireConsistent(image, "The image");
     std::vector<Pixel> pixels(image.pixelCount());
     for (size_t i = 0; i < pixels.size(); ++i) {
         const float* rgb = &image.rgb[3 * i];
@@ -81,25 +82,13 @@ std::vector<Pixel> shownPixels(const std::filesystem::path& path, const Image& i
     return pixels;
 }
 
-} // namespace
-
-void writePng(const std::filesystem::path& path, const Image& image) {
-    writeBytes(path, image, shownPixels(path, image));
-}
-
-void writeJpeg(const std::filesystem::path& path, const Image& image, int quality) {
-    if (quality < 1 || quality > 100)
-        fail(path, "the quality must be from 1 to 100");
-    writeBytes(path, image, shownPixels(path, image), quality);
-}
-
-void writeDifferencePng(const std::filesystem::path& path, const Image& a, const Image& b, float gain) {
-    requireForFile(path, a);
-    requireForFile(path, b);
+std::vector<Pixel> differencePixels(const Image& a, const Image& b, float gain) {
+    requireConsistent(a, "The first image");
+    requireConsistent(b, "The second image");
     if (a.width != b.width || a.height != b.height)
-        fail(path, "the two images differ in size");
+        throw std::runtime_error("The two images differ in size.");
     if (!std::isfinite(gain) || gain < 0)
-        fail(path, "the gain must be a number of at least 0");
+        throw std::runtime_error("The gain must be a number of at least 0.");
     std::vector<Pixel> pixels(a.pixelCount());
     for (size_t i = 0; i < pixels.size(); ++i) {
         const float* left = &a.rgb[3 * i];
@@ -111,7 +100,35 @@ void writeDifferencePng(const std::filesystem::path& path, const Image& a, const
         for (size_t c = 0; c < 3; ++c)
             pixels[i][c] = toByte(std::abs(toneMap(left[c]) - toneMap(right[c])) * gain);
     }
-    writeBytes(path, a, pixels);
+    return pixels;
+}
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+    requireForFile(path, image);
+    writeBytes(path, image.width, image.height, displayPixels(image));
+}
+
+void writePng(const std::filesystem::path& path, uint32_t width, uint32_t height, const std::vector<Pixel>& pixels) {
+    if (pixels.empty() || pixels.size() != size_t(width) * height)
+        fail(path, "the image has no pixels, or another number than its size says");
+    writeBytes(path, width, height, pixels);
+}
+
+void writeJpeg(const std::filesystem::path& path, const Image& image, int quality) {
+    if (quality < 1 || quality > 100)
+        fail(path, "the quality must be from 1 to 100");
+    requireForFile(path, image);
+    writeBytes(path, image.width, image.height, displayPixels(image), quality);
+}
+
+void writeDifferencePng(const std::filesystem::path& path, const Image& a, const Image& b, float gain) {
+    requireForFile(path, a);
+    requireForFile(path, b);
+    if (a.width != b.width || a.height != b.height)
+        fail(path, "the two images differ in size");
+    if (!std::isfinite(gain) || gain < 0)
+        fail(path, "the gain must be a number of at least 0");
+    writeBytes(path, a.width, a.height, differencePixels(a, b, gain));
 }
 
 } // namespace harness

@@ -27,12 +27,10 @@ AgaaLayout referenceLayout(const AgaaLayout* own) {
     return layout;
 }
 
-namespace {
-
 // The mean of images, in which each pixel has the weight of AGAA_CONFIG_HDR_RESOLVE; with exposure 0 all are equal.
-class Accumulator {
+class ReferenceAccumulation::Half {
 public:
-    explicit Accumulator(double exposure) : exposure_(exposure) {}
+    explicit Half(double exposure) : exposure_(exposure) {}
     void add(const Image& image) {
         sums_.resize(image.rgb.size());
         weights_.resize(image.rgb.size() / 3);
@@ -53,44 +51,55 @@ private:
     std::vector<double> sums_, weights_;
 };
 
-} // namespace
-
-Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
-                          const std::function<void(uint32_t)>& progress, Footprint footprint) {
-    settings.config.technique = "ssaa";
-    settings.config.samples = 1;
-    settings.frames = 1;
-    settings.warmup = 0;
-    const AgaaLayout layout = referenceLayout(settings.config.layout);
-    settings.config.layout = &layout;
+// A dither pattern that all frames shared would remain in the image. A pattern that references share would remain in
+// their difference.
+ReferenceAccumulation::ReferenceAccumulation(const RenderSettings& settings, uint32_t spp, Footprint footprint)
+    : settings_(settings), layout_(referenceLayout(settings.config.layout)), centre_(settings.jitter),
+      firstDither_(settings.ditherFrame * spp + 1),
+      halves_(2, Half(settings.config.flags & AGAA_CONFIG_HDR_RESOLVE ? double(settings.exposure) : 0.0)) {
+    settings_.config.technique = "ssaa";
+    settings_.config.samples = 1;
+    settings_.frames = 1;
+    settings_.warmup = 0;
+    settings_.config.layout = &layout_;
     if (footprint == Footprint::Sample)
-        settings.footprint = 1 / std::sqrt(double(spp));
-    const glm::dvec2 centre = settings.jitter;
-    // A dither pattern that all frames share would remain in the image. A pattern that references share would remain in
-    // their difference.
-    const uint32_t firstDither = settings.ditherFrame * spp + 1;
-    const Accumulator empty(settings.config.flags & AGAA_CONFIG_HDR_RESOLVE ? double(settings.exposure) : 0.0);
-    Accumulator halves[] = {empty, empty};
+        settings_.footprint = 1 / std::sqrt(double(spp));
+}
+
+ReferenceAccumulation::~ReferenceAccumulation() = default;
+
+void ReferenceAccumulation::addSample(Renderer& renderer) {
+    settings_.jitter = centre_ + pixelOffset(done_);
+    settings_.ditherFrame = firstDither_ + done_;
+    newest_ = renderer.render(settings_).image;
+    halves_[done_++ & 1].add(newest_);
+}
+
+Reference ReferenceAccumulation::result() const {
     Reference reference;
-    for (uint32_t i = 0; i < spp; ++i) {
-        settings.jitter = centre + pixelOffset(i);
-        settings.ditherFrame = firstDither + i;
-        reference.image = renderer.render(settings).image;
-        halves[i & 1].add(reference.image);
-        if (progress)
-            progress(i + 1);
-    }
+    reference.image = newest_;
     // The mean of two halves of equal size has a quarter of the squared difference between them.
-    for (size_t i = 0; i < halves[0].size(); ++i) {
-        const double a = halves[0].mean(i), b = halves[1].mean(i);
+    for (size_t i = 0; i < halves_[0].size(); ++i) {
+        const double a = halves_[0].mean(i), b = halves_[1].mean(i);
         reference.image.rgb[i] = float(0.5 * (a + b));
         reference.splitHalfMse += (a - b) * (a - b);
         reference.splitHalfMseTm += std::pow(toneMap(a) - toneMap(b), 2);
     }
-    const double scale = 1.0 / (4.0 * double(halves[0].size()));
+    const double scale = 1.0 / (4.0 * double(halves_[0].size()));
     reference.splitHalfMse *= scale;
     reference.splitHalfMseTm *= scale;
     return reference;
+}
+
+Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
+                          const std::function<void(uint32_t)>& progress, Footprint footprint) {
+    ReferenceAccumulation accumulation(settings, spp, footprint);
+    for (uint32_t i = 0; i < spp; ++i) {
+        accumulation.addSample(renderer);
+        if (progress)
+            progress(i + 1);
+    }
+    return accumulation.result();
 }
 
 const Reference& SceneReferences::get(const std::string& frame, Renderer& renderer, const RenderSettings& settings,

@@ -32,6 +32,33 @@ struct Reference {
     double splitHalfMse = 0; // error of the image, from the difference of its halves
     double splitHalfMseTm = 0;
 };
+
+// A reference that grows frame by frame, with the frames of renderReference().
+class ReferenceAccumulation {
+public:
+    // The settings' technique string, samples and footprint are not used. Pointers of the settings must stay valid.
+    ReferenceAccumulation(const RenderSettings& settings, uint32_t spp, Footprint footprint = Footprint::Pixel);
+    ~ReferenceAccumulation();
+    ReferenceAccumulation(const ReferenceAccumulation&) = delete;
+    ReferenceAccumulation& operator=(const ReferenceAccumulation&) = delete;
+
+    void addSample(Renderer& renderer);
+    uint32_t done() const { return done_; }
+    // Returns the reference of the samples so far, of which there must be at least 2.
+    Reference result() const;
+
+private:
+    class Half;
+
+    RenderSettings settings_;
+    AgaaLayout layout_;
+    glm::dvec2 centre_;
+    uint32_t firstDither_;
+    std::vector<Half> halves_; // that share no random numbers
+    Image newest_;
+    uint32_t done_ = 0;
+};
+
 // Renders the settings' frame with spp samples per pixel (at least 2) around the settings' jitter. The settings'
 // technique, samples and footprint are not used; their layout is widened. Every frame has one sample, hard cut-outs and
 // its own random numbers for translucent surfaces. With AGAA_CONFIG_HDR_RESOLVE samples have the weights of events. The
