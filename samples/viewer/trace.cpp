@@ -1,0 +1,25 @@
+#include "trace.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace viewer {
+
+void Trace::write(const App& app, const Ui& ui) {
+    if (path_.empty())
+        return;
+    const nlohmann::json content = {{"state", app.state.toJson()},  {"places", ui.places},
+                                    {"frames", app.shown().frames}, {"settled", app.isSettled()},
+                                    {"error", app.error()},         {"imageSize", {app.width(), app.height()}},
+                                    {"version", app.version()}};
+    const std::string text = content.dump(1);
+    if (text == newest_)
+        return;
+    newest_ = text;
+    const std::string part = path_ + ".part";
+    std::ofstream(part, std::ios::trunc) << text;
+    std::error_code ignored; // a test that misses the file reports it
+    std::filesystem::rename(part, path_, ignored);
+}
+
+} // namespace viewer
