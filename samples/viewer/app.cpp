@@ -30,7 +30,7 @@ void setPreset(OptionSet& options, const std::string& name) {
         return;
     }
     options = withChoice(std::move(options), {"--preset", name, "--samples", samples});
-    options.set("--tier", tiers);
+    options.setAll("--tier", tiers);
 }
 
 App::App(ViewerState initial, std::function<void()> wake, RendererFactory factory)

@@ -102,7 +102,7 @@ std::vector<std::string> OptionSet::all(const std::string& name) const {
     return found == values_.end() ? std::vector<std::string>() : found->second;
 }
 
-void OptionSet::set(const std::string& name, std::vector<std::string> values) {
+void OptionSet::setAll(const std::string& name, std::vector<std::string> values) {
     const OptionRow& row = requireOption(name);
     if (row.isFlag)
         throw BadArgument("The option " + name + " is a flag and takes no value.");
@@ -176,7 +176,7 @@ OptionSet OptionSet::fromJson(const nlohmann::json& json) {
                 values.push_back(textOf(each, name));
         else
             values.push_back(textOf(value, name));
-        options.set(name, std::move(values));
+        options.setAll(name, std::move(values));
     }
     return options;
 }
@@ -190,7 +190,7 @@ OptionSet withView(const OptionSet& frame, const OptionSet& view) {
         if (row.isFlag)
             result.setFlag(row.name, true);
         else
-            result.set(row.name, source.all(row.name));
+            result.setAll(row.name, source.all(row.name));
     }
     return result;
 }

@@ -35,8 +35,8 @@ public:
     // Returns no values for flags and for options that are not set.
     std::vector<std::string> all(const std::string& name) const;
     // Throws BadArgument for names that the viewer does not take.
-    void set(const std::string& name, std::vector<std::string> values);
-    void set(const std::string& name, const std::string& value) { set(name, std::vector{value}); }
+    void setAll(const std::string& name, std::vector<std::string> values);
+    void set(const std::string& name, const std::string& value) { setAll(name, std::vector{value}); }
     void setFlag(const std::string& name, bool on);
     void erase(const std::string& name) { values_.erase(name); }
     bool operator==(const OptionSet&) const = default;

@@ -105,6 +105,9 @@ void drawHistory(const char* title, const FrameHistory& history) {
 
 void drawFigures(App& app) {
     const Snapshot& shown = app.shown();
+    drawHistory("milliseconds by pass, A", app.historyA());
+    if (app.shown().b.image)
+        drawHistory("milliseconds by pass, B", app.historyB());
     if (shown.referenceSamples > 0)
         ImGui::TextWrapped("reference: %u samples per pixel, its own error %.2g", shown.referenceSamples,
                            shown.referenceError);
@@ -116,9 +119,6 @@ void drawFigures(App& app) {
         drawTable(app);
         ImGui::EndTable();
     }
-    drawHistory("milliseconds by pass, A", app.historyA());
-    if (app.shown().b.image)
-        drawHistory("milliseconds by pass, B", app.historyB());
     for (const std::string& note : shown.notes)
         ImGui::TextWrapped("%s", note.c_str());
 }

@@ -24,7 +24,7 @@ void setTier(OptionSet& options, const std::string& stage, const std::string& ti
     std::erase_if(tiers, [&](const std::string& each) { return each.starts_with(stage + "="); });
     if (tier != "auto")
         tiers.push_back(stage + "=" + tier);
-    options.set("--tier", tiers);
+    options.setAll("--tier", tiers);
 }
 
 void combo(Ui& ui, OptionSet& options, const char* label, const char* name, const std::vector<std::string>& names) {
@@ -73,7 +73,7 @@ void drawEffects(OptionSet& options) {
             without.push_back(effect);
         else
             without.erase(found);
-        options.set("--without", without);
+        options.setAll("--without", without);
         return;
     }
 }

@@ -43,7 +43,7 @@ void optionText(Ui& ui, OptionSet& options, const OptionRow& row) {
     } else if (!text.empty()) {
         values.push_back(text);
     }
-    options.set(row.name, values);
+    options.setAll(row.name, values);
 }
 
 bool optionCombo(Ui& ui, const char* label, const std::string& current, const std::vector<std::string>& names,

@@ -334,6 +334,7 @@ void RenderSession::measure(View& view, ViewResult& result, uint64_t flag, uint3
                 result.figures.passes.push_back(
                     {last.passes[i].name, agaaStageName(last.passes[i].stage), last.passes[i].milliseconds});
         ++result.figures.timedFrames;
+        result.figures.frameMs = rendered.frameMs.back(); // the frame of the image compiled pipelines
     }
     if (&view == a_.get() && request_->goal.isOn)
         observe(last);

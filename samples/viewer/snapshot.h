@@ -14,7 +14,7 @@ namespace viewer {
 
 // Figures of one view.
 struct Figures {
-    double frameMs = 0; // from submission to completion, of the frame that the image shows
+    double frameMs = 0; // from submission to completion, of the newest frame
     std::vector<PassTime> passes;
     uint64_t timedFrames = 0; // number of frames whose passes were timed since the settings changed
     AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT;

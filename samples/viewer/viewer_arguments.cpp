@@ -54,7 +54,7 @@ std::optional<ViewerArguments> parseViewerArguments(int argc, char** argv) {
         if (row.isFlag)
             arguments.options.setFlag(row.name, true);
         else
-            arguments.options.set(row.name, app.get_option(row.name)->results());
+            arguments.options.setAll(row.name, app.get_option(row.name)->results());
     }
     return arguments;
 }
@@ -69,7 +69,7 @@ ViewerState initialState(const ViewerArguments& arguments) {
         if (row.isFlag)
             state.options.setFlag(row.name, true);
         else
-            state.options.set(row.name, arguments.options.all(row.name));
+            state.options.setAll(row.name, arguments.options.all(row.name));
     }
     if (arguments.options.has("--size"))
         state.followsWindow = false;

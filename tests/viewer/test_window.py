@@ -1,0 +1,158 @@
+"""agaa-viewer on one graphics API: pixels, keys, clicks, sizes and errors."""
+import json
+import os
+import time
+import unittest
+
+import window
+from window import Case, Viewer, run, state
+
+BACKEND = os.environ["AGAA_BACKEND"]
+
+
+def words(options):
+    """The command line of agaa-harness render for the options of a state."""
+    return [name if value is True else f"{name}={value}" for name, value in options.items()]
+
+
+class Screenshots(Case):
+    def compare(self, content):
+        shown, expected = self.folder / "viewer.png", self.folder / "harness.png"
+        result = run(window.VIEWER, "--state", self.write("state.json", content), "--frames", "1", "--screenshot", shown)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        result = run(window.HARNESS, "render", *words(content["options"]), "--no-counters", "--no-timestamps", "--png",
+                     expected)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(shown.read_bytes(), expected.read_bytes())
+        return shown.read_bytes()
+
+    def test_agaa(self):
+        first = self.compare(state(BACKEND))
+        moved = self.compare(state(BACKEND, options={"--camera": "0.5,1.25,4,0,0.75,0,50", "--lights": 20}))
+        self.assertNotEqual(first, moved)
+
+    def test_a_debug_view_of_a_preset(self):
+        self.compare(state(BACKEND, options={"--preset": "fast", "--samples": 4, "--view": "events"}))
+
+    def test_accumulated_frames(self):
+        self.compare(state(BACKEND, "hard-stripes", options={"--technique": "taa", "--samples": 1, "--frames": 4}))
+
+
+class Comparison(Case):
+    def pixels(self, **members):
+        path = self.folder / "view.png"
+        content = state(BACKEND, "hard-stripes", otherOptions={"--technique": "single", "--samples": 1}, **members)
+        result = run(window.VIEWER, "--state", self.write("state.json", content), "--frames", "1", "--screenshot", path)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return path.read_bytes()
+
+    def test_modes_show_different_pixels(self):
+        seen = {self.pixels(mode=mode) for mode in ("a", "b", "split", "difference")}
+        self.assertEqual(len(seen), 4)
+        self.assertNotIn(self.pixels(mode="b", compareWith="reference", referenceSamples=4), seen)
+
+
+class Person(Case):
+    def test_keys_and_clicks(self):
+        viewer = Viewer(self, state(BACKEND, otherOptions={"--technique": "single", "--samples": 1}))
+        before = viewer.seen()
+        viewer.key("t")
+        seen = viewer.wait(lambda seen: seen["state"]["options"].get("--technique") not in (None, "agaa"))
+        viewer.wait(lambda seen: seen["settled"] and seen["version"] > before["version"] or seen["error"])
+        viewer.key("shift+t")
+        viewer.wait(lambda seen: seen["state"]["options"]["--technique"] == "agaa" and seen["settled"])
+        viewer.key("Tab")
+        flipped = viewer.wait(lambda seen: seen["state"]["mode"] == "b" and seen["settled"])
+        viewer.key("Tab")
+        viewer.wait(lambda seen: seen["state"]["mode"] == "a" and seen["version"] > flipped["version"])
+        viewer.click("technique")
+        viewer.click("technique:ssaa")
+        viewer.wait(lambda seen: seen["state"]["options"]["--technique"] == "ssaa" and seen["settled"])
+        viewer.drag("view", 60, 20)
+        seen = viewer.wait(lambda seen: "--camera" in seen["state"]["options"] and seen["settled"])
+        camera = seen["state"]["options"]["--camera"]
+        self.assertEqual(len(camera.split(",")), 7)
+        viewer.key("Home")
+        viewer.wait(lambda seen: "--camera" not in seen["state"]["options"])
+        viewer.key("3")
+        viewer.wait(lambda seen: seen["state"]["mode"] == "split" and seen["settled"])
+        viewer.drag("split line", 40, 0)
+        viewer.wait(lambda seen: seen["state"]["split"] > 0.6)
+        saved = viewer.end()
+        self.assertEqual(saved["options"]["--technique"], "ssaa")
+        self.assertEqual(saved["mode"], "split")
+
+    def test_sizes(self):
+        viewer = Viewer(self, state(BACKEND, texelSize=4, followWindow=True))
+        first = viewer.wait(lambda seen: seen["settled"])["imageSize"]
+        self.assertEqual(first[0], (1000 - 400) // 4)
+        viewer.xdotool("windowsize", viewer.window, "800", "500")
+        seen = viewer.wait(lambda seen: seen["imageSize"][0] == (800 - 400) // 4 and seen["settled"])
+        self.assertLess(seen["imageSize"][1], first[1])
+        frames = seen["frames"]
+        viewer.xdotool("windowsize", viewer.window, "1", "1")
+        time.sleep(1)
+        self.assertEqual(viewer.seen()["imageSize"], seen["imageSize"])
+        self.assertEqual(viewer.seen()["error"], "")
+        viewer.xdotool("windowsize", viewer.window, "1000", "700")
+        viewer.wait(lambda seen: seen["imageSize"] == first and seen["settled"] and seen["frames"] > frames)
+        viewer.end()
+
+    def test_a_missing_file(self):
+        viewer = Viewer(self, state(BACKEND))
+        viewer.key("ctrl+o")
+        viewer.wait(lambda seen: "open file" in seen["places"])
+        viewer.xdotool("type", "--delay", "30", "missing.glb")
+        viewer.key("Return")
+        seen = viewer.wait(lambda seen: "missing.glb" in seen["error"])
+        self.assertNotIn("start again", seen["places"])
+        viewer.key("ctrl+o")
+        viewer.wait(lambda seen: "open file" in seen["places"])
+        viewer.xdotool("type", "--delay", "30", "hard-stripes")
+        viewer.click("open file")
+        viewer.wait(lambda seen: seen["settled"] and not seen["error"])
+        viewer.end()
+
+    def test_a_camera_path(self):
+        viewer = Viewer(self, state(BACKEND, "hard-stripes"))
+        viewer.key("r")
+        for step in (25, 25):
+            before = viewer.seen()["state"]["path"]["cameras"]
+            viewer.drag("view", step, 0)
+            viewer.wait(lambda seen: len(seen["state"]["path"]["cameras"]) > len(before) and seen["settled"])
+        viewer.key("r")
+        path = viewer.wait(lambda seen: seen["settled"])["state"]["path"]
+        viewer.key("l", "p")
+        viewer.wait(lambda seen: seen["state"]["path"]["playing"])
+        for position in (0, len(path["cameras"]) - 1):
+            viewer.wait(lambda seen: seen["state"]["path"]["position"] == position)
+        viewer.key("p")
+        viewer.wait(lambda seen: not seen["state"]["path"]["playing"] and seen["settled"])
+        before = viewer.seen()["state"]["path"]["position"]
+        viewer.key("n")
+        viewer.wait(lambda seen: seen["state"]["path"]["position"] != before and seen["settled"])
+        self.assertEqual(viewer.end()["path"]["cameras"], path["cameras"])
+
+
+class Errors(Case):
+    def refused(self, status, sentence, *arguments):
+        result = run(window.VIEWER, "--frames", "1", *arguments)
+        self.assertEqual(result.returncode, status, result.stderr)
+        self.assertRegex(result.stderr, "^agaa-viewer: [^\n]*\n$")
+        self.assertIn(sentence, result.stderr)
+
+    def test_scripts_end_with_a_sentence(self):
+        self.refused(1, "missing.glb", "missing.glb", "--backend", BACKEND)
+        self.refused(2, "it is a name that", "missing-name", "--backend", BACKEND)
+        self.refused(2, "cannot be read", "--state", self.folder / "missing.json")
+        self.refused(2, "is not JSON", "--state", self.write("broken.json", "{"))
+        self.refused(2, "unknown member", "--state", self.write("member.json", {**state(BACKEND), "spilt": 1}))
+        wrong = state(BACKEND, options={"--tecnique": "agaa"})
+        self.refused(2, "\"--tecnique\" is not known", "--state", self.write("option.json", wrong))
+        self.refused(2, "--ndf is \"leen\"", "--state", self.write("ndf.json", state(BACKEND, options={"--ndf": "leen"})))
+        self.refused(2, "--size is \"0x0\"", "--state", self.write("size.json", state(BACKEND, size="0x0")))
+        self.refused(2, "--tecnique", "--tecnique", "agaa")
+
+
+if __name__ == "__main__":
+    window.main()

@@ -1,0 +1,122 @@
+"""Runs agaa-viewer in a virtual display, with real keys and clicks."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+VIEWER = os.environ["AGAA_VIEWER"]
+HARNESS = os.environ["AGAA_HARNESS"]
+SKIPPED = 77  # exit status
+
+
+def run(*command):
+    return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def state(backend, scene="hard-railings", size="160x90", options=None, **members):
+    """A state of the viewer that loads fast."""
+    return {"viewerState": 1, **members,
+            "options": {"--backend": backend, "--scene": scene, "--size": size, "--no-validation": True,
+                        **(options or {})}}
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_text(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+
+class Viewer:
+    """A window with a person before it."""
+
+    def __init__(self, case, content, *arguments):
+        self.case = case
+        self.trace = case.folder / "trace.json"
+        self.saved = case.folder / "saved.json"
+        self.errors = open(case.folder / "stderr", "w+")
+        self.process = subprocess.Popen(
+            [VIEWER, "--state", case.write("state.json", content), "--trace", self.trace, "--save-state", self.saved,
+             "--window", "1000x700", *arguments], stderr=self.errors)
+        case.addCleanup(self.stop)
+        self.wait(lambda seen: seen["settled"])
+        found = self.xdotool("search", "--sync", "--name", "AGAA viewer").split()
+        self.window = found[0]
+        self.xdotool("windowfocus", "--sync", self.window)
+
+    def stop(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        self.errors.close()
+
+    def xdotool(self, *words):
+        result = run("xdotool", *words)
+        self.case.assertEqual(result.returncode, 0, f"xdotool {words}: {result.stderr}")
+        return result.stdout
+
+    def seen(self):
+        return json.loads(self.trace.read_text()) if self.trace.exists() else None
+
+    def wait(self, condition, seconds=25):
+        """Waits until the trace satisfies the condition, and returns it."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if self.process.poll() is not None:
+                self.errors.seek(0)
+                self.case.fail(f"The viewer ended with {self.process.returncode}: {self.errors.read()}")
+            seen = self.seen()
+            if seen and condition(seen):
+                return seen
+            time.sleep(0.02)
+        seen = self.seen()
+        if seen:
+            seen.pop("places")
+        self.case.fail(f"The viewer did not get there: {seen}")
+
+    def key(self, *names):
+        self.xdotool("key", *names)
+
+    def move_to(self, place):
+        x, y = self.wait(lambda seen: place in seen["places"])["places"][place]
+        self.xdotool("mousemove", "--window", self.window, str(x), str(y))
+        time.sleep(0.2)  # a frame of the window, which learns of the mouse
+
+    def click(self, place):
+        self.move_to(place)
+        self.xdotool("click", "1")
+
+    def drag(self, place, dx, dy):
+        self.move_to(place)
+        self.xdotool("mousedown", "1")
+        for _ in range(5):
+            self.xdotool("mousemove_relative", "--", str(dx // 5), str(dy // 5))
+            time.sleep(0.05)
+        self.xdotool("mouseup", "1")
+
+    def end(self):
+        """Quits by the keyboard and returns the saved state."""
+        self.key("ctrl+q")
+        self.case.assertEqual(self.process.wait(timeout=20), 0)
+        return json.loads(self.saved.read_text())
+
+
+def main():
+    """Runs the tests in a virtual display, or skips them."""
+    for program in ("xvfb-run", "xauth", "xdotool"):
+        if not shutil.which(program):
+            print(f"skipped: {program} is not installed")
+            sys.exit(SKIPPED)
+    if "AGAA_VIRTUAL_DISPLAY" not in os.environ:
+        os.environ["AGAA_VIRTUAL_DISPLAY"] = "1"
+        os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", sys.executable, *sys.argv])
+    unittest.main(verbosity=2)
