@@ -88,7 +88,11 @@ bool movesByKeys(const App& app, const Window& window) {
 
 void handleKeys(App& app, Ui& ui, Window& window, float seconds) {
     const std::vector<KeyPress> presses = window.takeKeys();
-    if (ImGui::GetIO().WantTextInput)
+    // A dialogue's text field takes keys a frame after it appears, and misses keys that are shorter than a frame.
+    ui.isEntered = false;
+    for (const KeyPress& press : presses)
+        ui.isEntered |= press.key == GLFW_KEY_ENTER || press.key == GLFW_KEY_KP_ENTER;
+    if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         return;
     for (const KeyPress& press : presses)
         if (press.modifiers & GLFW_MOD_CONTROL)

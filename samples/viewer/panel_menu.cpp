@@ -40,8 +40,10 @@ void drawCameras(App& app) {
 
 // Asks for the path of a file, because Dear ImGui has no dialogue for files.
 void askForFile(App& app, Ui& ui) {
-    if (ui.asksForFile)
+    if (ui.asksForFile) {
+        ui.file.clear();
         ImGui::OpenPopup("Open a file");
+    }
     ui.asksForFile = false;
     if (!ImGui::BeginPopupModal("Open a file", nullptr, ImGuiWindowFlags_AlwaysAutoResize))
         return;
@@ -50,8 +52,10 @@ void askForFile(App& app, Ui& ui) {
     if (ImGui::IsWindowAppearing())
         ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(500);
-    const bool isEntered = ImGui::InputText("##path", &ui.file, ImGuiInputTextFlags_EnterReturnsTrue);
-    if ((ImGui::Button("Open") || isEntered) && !ui.file.empty()) {
+    ImGui::InputText("##path", &ui.file);
+    if (ImGui::IsItemActive())
+        ui.mark("path");
+    if ((ImGui::Button("Open") || ui.isEntered) && !ui.file.empty()) {
         app.open(ui.file);
         ImGui::CloseCurrentPopup();
     }

@@ -15,8 +15,9 @@ struct Ui {
     bool showsHelp = false;
     bool asksForFile = false; // "open…" was chosen
     bool draggedSplit = false;
-    std::string file;   // text of "open…"
-    std::string search; // in the table of options
+    bool isEntered = false; // Enter was pressed
+    std::string file;       // text of "open…"
+    std::string search;     // in the table of options
     std::string savedState;
     std::map<std::string, std::string> edited; // texts of options that are being edited
     bool editsOther = false;                   // the settings panel shows B

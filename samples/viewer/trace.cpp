@@ -1,5 +1,7 @@
 #include "trace.h"
 
+#include <imgui.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -8,10 +10,12 @@ namespace viewer {
 void Trace::write(const App& app, const Ui& ui) {
     if (path_.empty())
         return;
-    const nlohmann::json content = {{"state", app.state.toJson()},  {"places", ui.places},
-                                    {"frames", app.shown().frames}, {"settled", app.isSettled()},
-                                    {"error", app.error()},         {"imageSize", {app.width(), app.height()}},
-                                    {"version", app.version()}};
+    const ImGuiIO& io = ImGui::GetIO();
+    const nlohmann::json content = {
+        {"state", app.state.toJson()},   {"places", ui.places},  {"frames", app.shown().frames},
+        {"settled", app.isSettled()},    {"error", app.error()}, {"imageSize", {app.width(), app.height()}},
+        {"version", app.version()},      {"file", ui.file},      {"mouse", {int(io.MousePos.x), int(io.MousePos.y)}},
+        {"isMouseDown", io.MouseDown[0]}};
     const std::string text = content.dump(1);
     if (text == newest_)
         return;

@@ -86,22 +86,40 @@ class Viewer:
     def key(self, *names):
         self.xdotool("key", *names)
 
-    def move_to(self, place):
-        x, y = self.wait(lambda seen: place in seen["places"])["places"][place]
+    def move(self, x, y):
+        """Moves the mouse, and waits until a frame of the window has seen it."""
         self.xdotool("mousemove", "--window", self.window, str(x), str(y))
-        time.sleep(0.2)  # a frame of the window, which learns of the mouse
+        self.wait(lambda seen: seen["mouse"] == [x, y])
+
+    def hold(self, isDown):
+        self.xdotool("mousedown" if isDown else "mouseup", "1")
+        self.wait(lambda seen: seen["isMouseDown"] == isDown)
+
+    def move_to(self, place):
+        """Moves the mouse to a button, which may still move in the first frames of a list."""
+        at = None
+        while at != (found := self.wait(lambda seen: place in seen["places"])["places"][place]):
+            at = found
+            self.move(*at)
+        return at
 
     def click(self, place):
         self.move_to(place)
-        self.xdotool("click", "1")
+        self.hold(True)
+        self.hold(False)
 
     def drag(self, place, dx, dy):
-        self.move_to(place)
-        self.xdotool("mousedown", "1")
-        for _ in range(5):
-            self.xdotool("mousemove_relative", "--", str(dx // 5), str(dy // 5))
-            time.sleep(0.05)
-        self.xdotool("mouseup", "1")
+        x, y = self.move_to(place)
+        self.hold(True)
+        self.move(x + dx // 2, y + dy // 2)
+        self.move(x + dx, y + dy)
+        self.hold(False)
+
+    def type(self, text):
+        """Types a path into the dialogue."""
+        self.wait(lambda seen: "path" in seen["places"])
+        self.xdotool("type", "--delay", "30", text)
+        self.wait(lambda seen: seen["file"] == text)
 
     def end(self):
         """Quits by the keyboard and returns the saved state."""
@@ -110,13 +128,30 @@ class Viewer:
         return json.loads(self.saved.read_text())
 
 
+def start_display():
+    """Starts a virtual display for this process and its children, and returns its process."""
+    reading, writing = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
+                               "-noreset"], pass_fds=[writing], stderr=subprocess.DEVNULL)
+    os.close(writing)
+    with os.fdopen(reading) as pipe:
+        number = pipe.readline().strip()  # it has found a free one
+    if not number:
+        sys.exit("Xvfb could not start a display.")
+    os.environ["DISPLAY"] = f":{number}"
+    os.environ.pop("WAYLAND_DISPLAY", None)
+    return server
+
+
 def main():
     """Runs the tests in a virtual display, or skips them."""
-    for program in ("xvfb-run", "xauth", "xdotool"):
+    for program in ("Xvfb", "xdotool"):
         if not shutil.which(program):
             print(f"skipped: {program} is not installed")
             sys.exit(SKIPPED)
-    if "AGAA_VIRTUAL_DISPLAY" not in os.environ:
-        os.environ["AGAA_VIRTUAL_DISPLAY"] = "1"
-        os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", sys.executable, *sys.argv])
-    unittest.main(verbosity=2)
+    server = start_display()
+    try:
+        unittest.main(verbosity=2)
+    finally:
+        server.terminate()
+        server.wait()
