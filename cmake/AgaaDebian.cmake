@@ -14,7 +14,11 @@ file(CHMOD ${debian}/rules PERMISSIONS
 # The licences of the project and of all that is compiled into its binaries (NOTICES.md).
 file(READ LICENSE licence)
 file(APPEND ${debian}/copyright "${licence}")
-foreach(package glslang-dev spirv-tools libzstd-dev python3-glad nlohmann-json3-dev libcli11-dev libglm-dev)
+set(compiled_in glslang-dev spirv-tools libzstd-dev python3-glad nlohmann-json3-dev libcli11-dev libglm-dev)
+if(TARGET agaa-viewer)
+  list(APPEND compiled_in libimgui-dev)
+endif()
+foreach(package ${compiled_in})
   set(notice /usr/share/doc/${package}/copyright)
   if(NOT EXISTS ${notice})
     message(FATAL_ERROR

@@ -44,8 +44,6 @@ std::optional<ViewerArguments> parseViewerArguments(int argc, char** argv) {
         }
     }
     arguments.savesState = saved->count() > 0;
-    if (arguments.frames == 0 && !(arguments.screenshot + arguments.windowScreenshot).empty())
-        arguments.frames = 1;
     if (arguments.scene.ends_with(".json"))
         arguments.state = std::exchange(arguments.scene, "");
     for (const OptionRow& row : optionRows()) {
