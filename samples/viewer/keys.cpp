@@ -92,12 +92,12 @@ void handleKeys(App& app, Ui& ui, Window& window, float seconds) {
     ui.isEntered = false;
     for (const KeyPress& press : presses)
         ui.isEntered |= press.key == GLFW_KEY_ENTER || press.key == GLFW_KEY_KP_ENTER;
-    if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         return;
     for (const KeyPress& press : presses)
         if (press.modifiers & GLFW_MOD_CONTROL)
             handleControlKey(app, ui, window, press.key);
-        else
+        else if (!ImGui::GetIO().WantTextInput)
             handleKey(app, ui, press);
     if (!movesByKeys(app, window))
         return;

@@ -12,9 +12,11 @@ void Trace::write(const App& app, const Ui& ui) {
         return;
     const ImGuiIO& io = ImGui::GetIO();
     const nlohmann::json content = {
-        {"state", app.state.toJson()},   {"places", ui.places},  {"frames", app.shown().frames},
-        {"settled", app.isSettled()},    {"error", app.error()}, {"imageSize", {app.width(), app.height()}},
-        {"version", app.version()},      {"file", ui.file},      {"mouse", {int(io.MousePos.x), int(io.MousePos.y)}},
+        {"state", app.state.toJson()},   {"places", ui.places},
+        {"frames", app.shown().frames},  {"settled", app.isSettled()},
+        {"error", app.error()},          {"imageSize", {app.width(), app.height()}},
+        {"version", app.version()},      {"file", ui.file},
+        {"search", ui.search},           {"mouse", {int(io.MousePos.x), int(io.MousePos.y)}},
         {"isMouseDown", io.MouseDown[0]}};
     const std::string text = content.dump(1);
     if (text == newest_)

@@ -45,11 +45,11 @@ Window::Window(uint32_t width, uint32_t height) {
     if (!gladLoadGLContext(&gl_, glfwGetProcAddress))
         fail("The functions of OpenGL could not be loaded");
     glfwSetWindowUserPointer(window_, this);
-    setCallbacks(); // before ImGui's, which call these
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // the state file is the viewer's only memory
     ImGui::StyleColorsDark();
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    setCallbacks(); // after Dear ImGui's, which they replace or do not meet
     if (!ImGui_ImplOpenGL3_Init("#version 330"))
         fail("Dear ImGui cannot use OpenGL");
 }
@@ -62,11 +62,22 @@ Window::~Window() {
     glfwTerminate();
 }
 
-// A key that is pressed and released between two frames must not be lost.
+// Dear ImGui reads once a frame which keys are down. Releases wait for the next frame if a key was pressed in this one,
+// so that neither a key nor its modifier is lost while frames take long.
+void Window::onKey(int key, int code, int action, int modifiers) {
+    if (action != GLFW_RELEASE) {
+        keys_.push_back({key, modifiers});
+        isKeyPressed_ = true;
+    } else if (isKeyPressed_) {
+        releases_.push_back({key, code, modifiers});
+        return;
+    }
+    ImGui_ImplGlfw_KeyCallback(window_, key, code, action, modifiers);
+}
+
 void Window::setCallbacks() {
-    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
-        if (action != GLFW_RELEASE)
-            static_cast<Window*>(glfwGetWindowUserPointer(window))->keys_.push_back({key, modifiers});
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int code, int action, int modifiers) {
+        static_cast<Window*>(glfwGetWindowUserPointer(window))->onKey(key, code, action, modifiers);
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         Window& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
@@ -87,6 +98,9 @@ bool Window::hasPixels() const {
 bool Window::isHeld(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 
 void Window::beginFrame(bool moves) {
+    isKeyPressed_ = false;
+    for (const Release& release : std::exchange(releases_, {}))
+        ImGui_ImplGlfw_KeyCallback(window_, release.key, release.code, GLFW_RELEASE, release.modifiers);
     const double timeout = moves || freshFrames_ > 0 ? 1.0 / 60 : 0.25;
     const double start = glfwGetTime();
     glfwWaitEventsTimeout(timeout);

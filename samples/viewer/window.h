@@ -6,6 +6,7 @@
 #include <glad/gl.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -47,11 +48,18 @@ public:
     static void wake();
 
 private:
+    struct Release {
+        int key, code, modifiers;
+    };
+
     void setCallbacks();
+    void onKey(int key, int code, int action, int modifiers);
 
     GLFWwindow* window_ = nullptr;
     GladGLContext gl_{};
     std::vector<KeyPress> keys_;
+    bool isKeyPressed_ = false; // since the last frame
+    std::vector<Release> releases_;
     std::vector<std::string> files_;
     int freshFrames_ = 3; // to draw without waiting: panels take some frames to settle
 };

@@ -12,7 +12,13 @@ BACKEND = os.environ["AGAA_BACKEND"]
 
 def words(options):
     """The command line of agaa-harness render for the options of a state."""
-    return [name if value is True else f"{name}={value}" for name, value in options.items()]
+    line = []
+    for name, value in options.items():
+        if value is True:
+            line.append(name)
+        else:
+            line += [f"{name}={each}" for each in (value if isinstance(value, list) else [value])]
+    return line
 
 
 class Screenshots(Case):
@@ -36,6 +42,20 @@ class Screenshots(Case):
 
     def test_accumulated_frames(self):
         self.compare(state(BACKEND, "hard-stripes", options={"--technique": "taa", "--samples": 1, "--frames": 4}))
+
+
+class Goal(Case):
+    def test_the_chosen_settings_are_those_of_the_image(self):
+        shown, saved, expected = (self.folder / name for name in ("viewer.png", "saved.json", "harness.png"))
+        content = state(BACKEND, "hard-stripes", goal={"on": True, "maxError": 0.1})
+        result = run(window.VIEWER, "--state", self.write("state.json", content), "--frames", "1", "--screenshot", shown,
+                     "--save-state", saved)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        options = json.loads(saved.read_text())["options"]
+        self.assertNotEqual(options, content["options"])
+        result = run(window.HARNESS, "render", *words(options), "--no-counters", "--no-timestamps", "--png", expected)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(shown.read_bytes(), expected.read_bytes())
 
 
 class Comparison(Case):
@@ -81,6 +101,21 @@ class Person(Case):
         saved = viewer.end()
         self.assertEqual(saved["options"]["--technique"], "ssaa")
         self.assertEqual(saved["mode"], "split")
+
+    def test_the_table_of_options(self):
+        viewer = Viewer(self, state(BACKEND, "hard-stripes"))
+        viewer.click("All options")
+        viewer.click("search")
+        viewer.xdotool("type", "--delay", "30", "ndf")
+        viewer.wait(lambda seen: seen["search"] == "ndf" and "--brdf" not in seen["places"])
+        for value, sentence in (("leen", "--ndf is \"leen\""), ("lean", "")):
+            viewer.click("--ndf")
+            viewer.key("ctrl+a")
+            viewer.xdotool("type", "--delay", "30", value)
+            viewer.click("search")
+            viewer.wait(lambda seen: seen["state"]["options"].get("--ndf") == value)
+            viewer.wait(lambda seen: sentence in seen["error"] if sentence else seen["settled"] and not seen["error"])
+        self.assertEqual(viewer.end()["options"]["--ndf"], "lean")
 
     def test_sizes(self):
         viewer = Viewer(self, state(BACKEND, texelSize=4, followWindow=True))
