@@ -94,7 +94,7 @@ void drawHistory(const char* title, const FrameHistory& history) {
     for (const FrameHistory::Row& pass : history.rows()) {
         const std::string label = "##" + pass.name;
         ImGui::PlotLines(label.c_str(), pass.milliseconds.data(), int(pass.milliseconds.size()), 0, nullptr, 0, most,
-                         {130, 18});
+                         {100, 18});
         ImGui::SameLine();
         ImGui::Text("%7.2f ms %s", double(pass.newest()), pass.name.c_str());
     }

@@ -45,6 +45,7 @@ private:
     };
 
     void begin(const ViewRequest& request);
+    void fail(const char* error, int exitStatus);
     void dropDevices();
     void dropUnusedDevices();
     bool advance(); // returns false if nothing is left to do
@@ -76,6 +77,7 @@ private:
 
     std::optional<ViewRequest> request_;
     bool hasFailed_ = false;
+    bool hasBegun_ = false; // begin() has succeeded
     std::unique_ptr<View> a_, b_;
     bool isAPending_ = false, isBPending_ = false; // their images are not rendered yet
     bool areErrorsPending_ = false;

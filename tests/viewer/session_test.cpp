@@ -152,6 +152,24 @@ TEST(RenderSession, ReportsAMissingFile) {
     EXPECT_EQ(log.devices, 0);
 }
 
+TEST(RenderSession, LoadsTheSceneAgainAfterAnErrorInAnother) {
+    Log log;
+    RenderSession session(factoryOf(log));
+    ViewRequest request = someRequest();
+    finish(session, request);
+    ViewRequest wrong = request;
+    wrong.a.set("--scene", "hard-empty");
+    wrong.a.set("--fragments-per-pixel", "auto");
+    wrong.a.set("--technique", "dcaa");
+    wrong.a.set("--samples", "64");
+    log.isLost = true; // a frame that determines the capacity fails before the view is ready
+    EXPECT_EQ(finish(session, wrong)->error, "The device is lost.");
+    EXPECT_EQ(log.loads, 2);
+    log.isLost = false;
+    EXPECT_EQ(finish(session, request)->error, "");
+    EXPECT_EQ(log.loads, 3);
+}
+
 TEST(RenderSession, StartsAgainAfterALostDevice) {
     Log log;
     RenderSession session(factoryOf(log));

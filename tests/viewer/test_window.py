@@ -1,6 +1,8 @@
 """agaa-viewer on one graphics API: pixels, keys, clicks, sizes and errors."""
+import base64
 import json
 import os
+import struct
 import time
 import unittest
 
@@ -39,6 +41,18 @@ class Screenshots(Case):
 
     def test_a_debug_view_of_a_preset(self):
         self.compare(state(BACKEND, options={"--preset": "fast", "--samples": 4, "--view": "events"}))
+
+    def test_a_file(self):
+        positions = struct.pack("<9f", -1, 0, 0, 1, 0, 0, 0, 1.5, 0)
+        document = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                    "buffers": [{"byteLength": len(positions), "uri": "data:application/octet-stream;base64,"
+                                 + base64.b64encode(positions).decode()}],
+                    "bufferViews": [{"buffer": 0, "byteLength": len(positions)}],
+                    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                                   "min": [-1, 0, 0], "max": [1, 1.5, 0]}]}
+        self.compare(state(BACKEND, str(self.write("triangle.gltf", document)), options={"--technique": "single",
+                                                                                        "--samples": 1}))
 
     def test_accumulated_frames(self):
         self.compare(state(BACKEND, "hard-stripes", options={"--technique": "taa", "--samples": 1, "--frames": 4}))
