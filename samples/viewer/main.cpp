@@ -70,7 +70,10 @@ private:
             throw std::runtime_error(app_.error());
         }
         const bool hasFrames = app_.shown().frames >= arguments_.frames || app_.state.isFrozen;
-        if (!hasFrames || !app_.isSettled())
+        // Frames that play are followed by others, so that the view never settles.
+        const bool isPlaying = (app_.state.playsFrames || app_.state.path.isPlaying) && !app_.state.isFrozen;
+        const bool isShown = isPlaying ? app_.imageA() && app_.shown().isComplete : app_.isSettled();
+        if (!hasFrames || !isShown)
             return false;
         finish();
         return true;

@@ -54,6 +54,14 @@ class Screenshots(Case):
         self.compare(state(BACKEND, str(self.write("triangle.gltf", document)), options={"--technique": "single",
                                                                                         "--samples": 1}))
 
+    def test_a_script_ends_while_frames_play(self):
+        shown = self.folder / "viewer.png"
+        content = state(BACKEND, options={"--motion": "walk"}, playFrames=True)
+        result = run(window.VIEWER, "--state", self.write("state.json", content), "--frames", "3", "--screenshot", shown,
+                     timeout=100)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(shown.is_file())
+
     def test_accumulated_frames(self):
         self.compare(state(BACKEND, "hard-stripes", options={"--technique": "taa", "--samples": 1, "--frames": 4}))
 

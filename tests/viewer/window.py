@@ -14,8 +14,9 @@ HARNESS = os.environ["AGAA_HARNESS"]
 SKIPPED = 77  # exit status
 
 
-def run(*command):
-    return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+def run(*command, timeout=None):
+    return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          timeout=timeout)
 
 
 def state(backend, scene="hard-railings", size="160x90", options=None, **members):
@@ -67,7 +68,7 @@ class Viewer:
     def seen(self):
         return json.loads(self.trace.read_text()) if self.trace.exists() else None
 
-    def wait(self, condition, seconds=25):
+    def wait(self, condition, seconds=100):
         """Waits until the trace satisfies the condition, and returns it."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
@@ -124,7 +125,7 @@ class Viewer:
     def end(self):
         """Quits by the keyboard and returns the saved state."""
         self.key("ctrl+q")
-        self.case.assertEqual(self.process.wait(timeout=20), 0)
+        self.case.assertEqual(self.process.wait(timeout=60), 0)
         return json.loads(self.saved.read_text())
 
 
