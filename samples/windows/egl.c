@@ -1,9 +1,10 @@
 /* The part of EGL that the samples and the conformance suite call, by WGL, so that their hosts are the same on Windows.
- * A context has a window of its own, which is never shown.
+ * Each context has a window that is never shown.
  * SPDX-License-Identifier: MIT
  */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <windows.h>
 
@@ -64,38 +65,37 @@ static EGLBoolean createWindow(struct Context* context) {
     return context->device && SetPixelFormat(context->device, ChoosePixelFormat(context->device, &format), &format);
 }
 
+/* Returns the value of an attribute, or `missing`. The last one counts if it is there several times. */
+static int valueOf(const EGLint* attributes, EGLint name, int missing) {
+    for (; attributes && attributes[0] != EGL_NONE; attributes += 2)
+        if (attributes[0] == name)
+            missing = attributes[1];
+    return missing;
+}
+
 static HGLRC createWithAttributes(const struct Context* context, const EGLint* attributes) {
-    int wanted[9] = {WGL_CONTEXT_FLAGS_ARB, 0}, *next = wanted + 2;
-    PFNWGLCREATECONTEXTATTRIBSARBPROC create;
+    const int wanted[] = {WGL_CONTEXT_MAJOR_VERSION_ARB,
+                          valueOf(attributes, EGL_CONTEXT_MAJOR_VERSION, 1),
+                          WGL_CONTEXT_MINOR_VERSION_ARB,
+                          valueOf(attributes, EGL_CONTEXT_MINOR_VERSION, 0),
+                          WGL_CONTEXT_FLAGS_ARB,
+                          valueOf(attributes, EGL_CONTEXT_OPENGL_DEBUG, 0) ? WGL_CONTEXT_DEBUG_BIT_ARB : 0,
+                          WGL_CONTEXT_PROFILE_MASK_ARB, /* its bits are those of EGL */
+                          valueOf(attributes, EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT),
+                          0};
     const HGLRC old = wglGetCurrentContext(), first = wglCreateContext(context->device);
     const HDC oldDevice = wglGetCurrentDC();
     HGLRC created = NULL;
-    for (; attributes && attributes[0] != EGL_NONE; attributes += 2)
-        switch (attributes[0]) {
-        case EGL_CONTEXT_MAJOR_VERSION:
-            *next++ = WGL_CONTEXT_MAJOR_VERSION_ARB, *next++ = attributes[1];
-            break;
-        case EGL_CONTEXT_MINOR_VERSION:
-            *next++ = WGL_CONTEXT_MINOR_VERSION_ARB, *next++ = attributes[1];
-            break;
-        case EGL_CONTEXT_OPENGL_PROFILE_MASK: /* the bits are equal */
-            *next++ = WGL_CONTEXT_PROFILE_MASK_ARB, *next++ = attributes[1];
-            break;
-        case EGL_CONTEXT_OPENGL_DEBUG:
-            wanted[1] = attributes[1] ? WGL_CONTEXT_DEBUG_BIT_ARB : 0;
-            break;
-        default:
-            break;
-        }
-    *next = 0;
     /* WGL finds functions only while a context is current. */
-    if (!first || !wglMakeCurrent(context->device, first))
-        return NULL;
-    create = (PFNWGLCREATECONTEXTATTRIBSARBPROC)(Function)wglGetProcAddress("wglCreateContextAttribsARB");
-    if (create)
-        created = create(context->device, NULL, wanted);
-    wglMakeCurrent(oldDevice, old);
-    wglDeleteContext(first);
+    if (first && wglMakeCurrent(context->device, first)) {
+        const PFNWGLCREATECONTEXTATTRIBSARBPROC create =
+            (PFNWGLCREATECONTEXTATTRIBSARBPROC)(Function)wglGetProcAddress("wglCreateContextAttribsARB");
+        if (create)
+            created = create(context->device, NULL, wanted);
+        wglMakeCurrent(oldDevice, old);
+    }
+    if (first)
+        wglDeleteContext(first);
     return created;
 }
 
@@ -150,10 +150,11 @@ EGLSurface EGLAPIENTRY eglGetCurrentSurface(EGLint which) {
     return EGL_NO_SURFACE;
 }
 
-/* WGL does not find the functions of OpenGL 1.1. */
+/* WGL does not find the functions of OpenGL 1.1. Some drivers return 1, 2, 3 or -1 in place of null. */
 Function EGLAPIENTRY eglGetProcAddress(const char* name) {
     const Function found = (Function)wglGetProcAddress(name);
-    return found ? found : (Function)GetProcAddress(GetModuleHandleA("opengl32.dll"), name);
+    const intptr_t value = (intptr_t)found;
+    return value > 3 || value < -1 ? found : (Function)GetProcAddress(GetModuleHandleA("opengl32.dll"), name);
 }
 
 /* The contexts are those of the process, which ends soon. */
