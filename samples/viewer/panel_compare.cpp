@@ -77,7 +77,7 @@ void drawCamera(App& app, Ui& ui) {
     ImGui::SameLine();
     ImGui::Checkbox("loop", &path.loops);
     ImGui::Separator();
-    ImGui::Checkbox("play frames: motion and accumulation go on", &state.playsFrames);
+    ImGui::Checkbox("play frames: motion and accumulation continue", &state.playsFrames);
     ui.mark("play frames");
 }
 

@@ -127,7 +127,7 @@ void drawHelp(Ui& ui) {
               {"T, Shift+T", "next and previous technique"},
               {"F", "freeze the image"},
               {"M", "magnifier"},
-              {"Space", "play frames: motion and accumulation go on"},
+              {"Space", "play frames: motion and accumulation continue"},
               {"R P L N", "camera path: record, play, loop, next"},
               {"H", "panels"},
               {"Ctrl+O Ctrl+S F12", "open a file, save the state, save the view"},
