@@ -1,3 +1,4 @@
+#include "error_of.h"
 #include "image/image.h"
 
 #include <OpenEXR/ImfChannelList.h>
@@ -28,15 +29,6 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
-
-std::string errorOf(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "";
-}
 
 // One sentence: a full stop at the end and no line break or second sentence before it.
 void expectSentenceNaming(const std::string& error, const fs::path& path) {

@@ -1,3 +1,4 @@
+#include "error_of.h"
 #include "flip_direct.h"
 #include "image/metrics.h"
 #include "image/tonemap.h"
@@ -19,15 +20,6 @@ namespace {
 
 Image constant(uint32_t width, uint32_t height, float value) {
     return {width, height, std::vector<float>(size_t(width) * height * 3, value)};
-}
-
-std::string errorOf(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "";
 }
 
 } // namespace

@@ -10,8 +10,6 @@ using namespace test_math;
 
 namespace {
 
-float asHalf(float x) { return glm::unpackHalf1x16(glm::packHalf1x16(x)); }
-
 // Lower eigenvalue of a symmetric matrix of two rows.
 template <class T> T leastEigenvalue(T xx, T yy, T xy) {
     const T skew = T(0.5) * (xx - yy);

@@ -113,7 +113,6 @@ TEST(HardCase46_InfiniteDepthSlopes, WallsDoNotOverlapTheFence) {
         const DepthTriangle fence = placed({glm::dvec3(double(centre.x) - 9, double(centre.y) - 9, 0.4),
                                             glm::dvec3(double(centre.x) + 9, double(centre.y) - 9, 0.4),
                                             glm::dvec3(double(centre.x), double(centre.y) + 9, 0.41)});
-        const auto asHalf = [](float v) { return glm::unpackHalf1x16(glm::packHalf1x16(v)); };
         // The box of a plane with slopes as they come, stored in half floats.
         const auto box = [&](const DepthTriangle& t) {
             const PrintedPlane p = printedPlane(t);

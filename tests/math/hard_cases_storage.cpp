@@ -11,8 +11,6 @@ using namespace test_math;
 
 namespace {
 
-float asHalf(float x) { return glm::unpackHalf1x16(glm::packHalf1x16(x)); }
-
 double codeOf(double x, unsigned bits) { return std::floor(x * double(math_f::agaa_maxCode(bits)) + 0.5); }
 
 } // namespace

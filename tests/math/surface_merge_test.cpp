@@ -1,11 +1,11 @@
 // How fragments merge, written once more in other words, against the shader's.
+#include "fragment_random.h"
 #include "paper_merge.h"
 #include "shader_math.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <vector>
 
 namespace {
@@ -30,14 +30,8 @@ Shader shaderOf(const Surface& s) {
             {s.normal[0], s.normal[1], s.normal[2]}};
 }
 
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine); }
-    uint32_t below(uint32_t n) { return uint32_t(std::uniform_int_distribution<uint32_t>(0, n - 1)(engine)); }
-};
-
 // Few depths and few directions, so that all branches are taken and ties occur.
-Surface randomFragment(Random& random, uint32_t samples) {
+Surface randomFragment(FragmentRandom& random, uint32_t samples) {
     Surface s{};
     const uint32_t first = random.below(samples), count = 1 + random.below(samples);
     for (uint32_t i = 0; i < count; ++i)
@@ -80,7 +74,7 @@ KeptSurfaces::agaa_MergeRules shaderRules(const Rules& rules) {
     return {uint32_t(rules.limit), rules.cosine, rules.slack, uint32_t(rules.rule), kFacets, false};
 }
 
-std::vector<Surface> randomPixel(Random& random, uint32_t samples) {
+std::vector<Surface> randomPixel(FragmentRandom& random, uint32_t samples) {
     std::vector<Surface> fragments(random.below(24));
     for (Surface& s : fragments)
         s = randomFragment(random, samples);
@@ -103,7 +97,7 @@ TEST(SurfaceMerge, ColoursCountAsNormalsDo) {
 }
 
 TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
-    Random random{std::mt19937(1)};
+    FragmentRandom random{std::mt19937(1)};
     uint32_t kinds[4] = {};
     for (int run = 0; run < 20000; ++run) {
         const uint32_t samples = 32u << random.below(3);
@@ -133,7 +127,7 @@ TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
 
 // What the caller does with attributes by the answers is what the function does with normals before they are made unit.
 TEST(SurfaceMerge, AnswersSayWhatBecomesOfAttributes) {
-    Random random{std::mt19937(2)};
+    FragmentRandom random{std::mt19937(2)};
     for (int run = 0; run < 5000; ++run) {
         const Rules rules = {1 + random.below(4), 0.98f, 0.0f, Rules::Paper, facetCosine}; // which averages depths, too
         KeptSurfaces shader{};
@@ -155,7 +149,7 @@ TEST(SurfaceMerge, AnswersSayWhatBecomesOfAttributes) {
 
 // Hard case 51: the result depends on the order, so that a test of the order can fail.
 TEST(SurfaceMerge, DependsOnTheOrder) {
-    Random random{std::mt19937(3)};
+    FragmentRandom random{std::mt19937(3)};
     const Rules rules = {4, 0.98f, 0.0f, Rules::Visible, facetCosine};
     uint32_t differing = 0, repeated = 0;
     for (int run = 0; run < 1000; ++run) {
@@ -184,7 +178,7 @@ TEST(SurfaceMerge, DependsOnTheOrder) {
 
 // Whatever is merged or discarded, no sample is covered that no fragment covered, and none is lost that is not counted.
 TEST(SurfaceMerge, KeepsCoverage) {
-    Random random{std::mt19937(4)};
+    FragmentRandom random{std::mt19937(4)};
     for (int run = 0; run < 5000; ++run) {
         const Rules rules = {1 + random.below(5), 0.98f, 0.0f, decltype(Rules::rule)(random.below(3)), facetCosine};
         KeptSurfaces shader{};

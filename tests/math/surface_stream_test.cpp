@@ -1,4 +1,5 @@
 // Surfaces that take samples from each other (surface_stream.glsl): what each sample shows, against all fragments.
+#include "fragment_random.h"
 #include "shader_math.h"
 
 #include <gtest/gtest.h>
@@ -6,22 +7,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace {
 
 using Kept = math_f::KeptSurfaces;
-using Surface = Kept::agaa_CoveredSurface;
+using Fragment = Kept::agaa_CoveredSurface;
 
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine); }
-    uint32_t below(uint32_t n) { return uint32_t(std::uniform_int_distribution<uint32_t>(0, n - 1)(engine)); }
-};
-
-Surface randomFragment(Random& random, uint32_t samples, float angle) {
-    Surface s{};
+Fragment randomFacet(FragmentRandom& random, uint32_t samples, float angle) {
+    Fragment s{};
     const uint32_t first = random.below(samples), count = 1 + random.below(samples);
     for (uint32_t k = 0; k < count; ++k) {
         const uint32_t i = (first + k) % samples;
@@ -33,10 +27,10 @@ Surface randomFragment(Random& random, uint32_t samples, float angle) {
     return s;
 }
 
-bool covers(const Surface& s, uint32_t i) { return s.mask[int(i / 32)] >> (i % 32) & 1u; }
+bool covers(const Fragment& s, uint32_t i) { return s.mask[int(i / 32)] >> (i % 32) & 1u; }
 
 // In double, by the pattern's places.
-double depthAt(const Surface& s, uint32_t i, uint32_t samples) {
+double depthAt(const Fragment& s, uint32_t i, uint32_t samples) {
     const glm::dvec2 at = glm::dvec2(math_f::agaa_coveragePosition(i, samples));
     const double low = double(s.depths.x) - double(s.depths.y), high = double(s.depths.x) + double(s.depths.z);
     return std::clamp(double(s.plane.x) + double(s.plane.y) * at.x + double(s.plane.z) * at.y, low, high);
@@ -47,11 +41,11 @@ struct Streamed {
     uint32_t lost = 0;
 };
 
-Streamed stream(const std::vector<Surface>& fragments, uint32_t limit, uint32_t rule, uint32_t samples) {
+Streamed stream(const std::vector<Fragment>& fragments, uint32_t limit, uint32_t rule, uint32_t samples) {
     const math_f::agaa_FacetFrame facets = {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0.2f}};
     Streamed out;
     std::fill(std::begin(out.kept.nearest), std::end(out.kept.nearest), out.kept.agaa_noDepth());
-    for (const Surface& s : fragments)
+    for (const Fragment& s : fragments)
         out.lost += out.kept.agaa_streamSurface(s, {limit, 0.9f, 1e-6f, rule, facets, true}, samples).lost;
     return out;
 }
@@ -66,13 +60,13 @@ uint32_t countOf(const Kept& kept, uint32_t i) {
 } // namespace
 
 TEST(SurfaceStream, SamplesKeepTheLeastDepthAndBelongToOneSurface) {
-    Random random{std::mt19937(7)};
+    FragmentRandom random{std::mt19937(7)};
     uint32_t lost = 0, shown = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const uint32_t samples = 32u << random.below(3), limit = 1 + random.below(8);
-        std::vector<Surface> fragments(1 + random.below(12));
-        for (Surface& s : fragments)
-            s = randomFragment(random, samples, 0.3f * float(random.below(7)));
+        std::vector<Fragment> fragments(1 + random.below(12));
+        for (Fragment& s : fragments)
+            s = randomFacet(random, samples, 0.3f * float(random.below(7)));
         const Streamed merged = stream(fragments, limit, AGAA_RULE_VISIBLE, samples);
         const Streamed printed = stream(fragments, limit, AGAA_RULE_NONE, samples);
         ASSERT_LE(merged.kept.agaa_keptCount, limit);
@@ -80,7 +74,7 @@ TEST(SurfaceStream, SamplesKeepTheLeastDepthAndBelongToOneSurface) {
         lost += printed.lost;
         for (uint32_t i = 0; i < samples; ++i) {
             double nearest = 1e30;
-            for (const Surface& s : fragments)
+            for (const Fragment& s : fragments)
                 nearest = covers(s, i) ? std::min(nearest, depthAt(s, i, samples)) : nearest;
             const bool isCovered = nearest < 1e30;
             ASSERT_EQ(countOf(merged.kept, i), isCovered ? 1u : 0u) << i;
@@ -98,15 +92,15 @@ TEST(SurfaceStream, SamplesKeepTheLeastDepthAndBelongToOneSurface) {
 
 // Fragments that cannot merge keep the samples where they are nearest, and those without any leave their place.
 TEST(SurfaceStream, UnlikeFragmentsKeepWhatTheyShow) {
-    Random random{std::mt19937(11)};
+    FragmentRandom random{std::mt19937(11)};
     uint32_t hidden = 0;
     for (int trial = 0; trial < 1000; ++trial) {
         constexpr uint32_t samples = 64, limit = 4;
-        std::vector<Surface> fragments(limit);
+        std::vector<Fragment> fragments(limit);
         for (size_t k = 0; k < fragments.size(); ++k) // the cosine of 0.7 is below that of the rules
-            fragments[k] = randomFragment(random, samples, 0.7f * float(k));
+            fragments[k] = randomFacet(random, samples, 0.7f * float(k));
         const Kept kept = stream(fragments, limit, AGAA_RULE_VISIBLE, samples).kept;
-        for (const Surface& s : fragments) {
+        for (const Fragment& s : fragments) {
             glm::uvec4 expected(0u);
             for (uint32_t i = 0; i < samples; ++i)
                 if (covers(s, i) && std::fabs(double(kept.nearest[i]) - depthAt(s, i, samples)) < 1e-6)

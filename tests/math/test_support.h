@@ -11,11 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
 #include "shader_math.h"
 
 namespace test_math {
+
+// Rounds a number to one of 16 bits.
+inline float asHalf(float x) { return glm::unpackHalf1x16(glm::packHalf1x16(x)); }
 
 class Random {
 public:

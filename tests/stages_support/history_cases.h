@@ -68,8 +68,8 @@ private:
     ViewBench<Host> bench_;
 };
 
-inline float largestDifference(const std::vector<float>& a, const std::vector<float>& b, uint32_t first = 0,
-                               uint32_t last = 47) {
+inline float largestColumnDifference(const std::vector<float>& a, const std::vector<float>& b, uint32_t first = 0,
+                                     uint32_t last = 47) {
     float largest = 0;
     for (uint32_t y = 0; y < 32; ++y)
         for (size_t i = 3 * (size_t(y) * 48 + first); i < 3 * (size_t(y) * 48 + last + 1); ++i)
@@ -101,7 +101,7 @@ TYPED_TEST_P(HistoryCases, AStillImageIsTheMeanOfItsFrames) {
             mean[k] += (frame[k] - mean[k]) / float(i + 1);
         found = bench.next(cameraMove(settings), walls[i]);
     }
-    EXPECT_LT(largestDifference(found, mean), 2e-3f);
+    EXPECT_LT(largestColumnDifference(found, mean), 2e-3f);
 }
 
 TYPED_TEST_P(HistoryCases, SharesOfFramesDecay) {
@@ -133,10 +133,10 @@ TYPED_TEST_P(HistoryCases, ResetsForgetEarlierFrames) {
     addBox(bright, -10, 58, 5, glm::vec3(1));
     typename TestFixture::Bench bench(this->context, settings, bright);
     const std::vector<float> first = bench.next(cameraMove(settings), bright);
-    EXPECT_LT(largestDifference(first, this->single(bright)), 1e-3f) << "a view has no history at first";
+    EXPECT_LT(largestColumnDifference(first, this->single(bright)), 1e-3f) << "a view has no history at first";
     const std::vector<float> after = bench.next(AGAA_TEMPORAL_FRAME_INIT, dark);
-    EXPECT_LT(largestDifference(after, this->single(dark)), 1e-3f);
-    EXPECT_GT(largestDifference(bench.next(cameraMove(settings), bright), this->single(bright)), 0.3f);
+    EXPECT_LT(largestColumnDifference(after, this->single(dark)), 1e-3f);
+    EXPECT_GT(largestColumnDifference(bench.next(cameraMove(settings), bright), this->single(bright)), 0.3f);
 }
 
 inline std::vector<float> meanOf(const std::vector<float>& a, const std::vector<float>& b) {
@@ -162,7 +162,7 @@ TYPED_TEST_P(HistoryCases, HistoryFollowsTheCamera) {
         typename TestFixture::Bench bench(this->context, settings, stripes(0, 1));
         bench.next(cameraMove(settings));
         const std::vector<float> found = bench.next(cameraMove(settings, isTold ? 3.0f : 0.0f), stripes(3, 0.5f));
-        const float difference = largestDifference(found, expected, 0, 42);
+        const float difference = largestColumnDifference(found, expected, 0, 42);
         if (isTold) {
             EXPECT_LT(difference, 2e-3f);
         } else {
@@ -202,7 +202,7 @@ TYPED_TEST_P(HistoryCases, JitterIsNoMotion) {
         history.jitter[1] = isTold ? offset.y : -offset.y;
         isMoved = true;
         bench.setTriangles(scene(offset));
-        const float difference = largestDifference(bench.rgb(), expected);
+        const float difference = largestColumnDifference(bench.rgb(), expected);
         if (isTold) {
             EXPECT_LT(difference, 2e-3f);
         } else {
@@ -275,7 +275,7 @@ TYPED_TEST_P(HistoryCases, DisoccludedPixelsHaveNoGhosts) {
         typename TestFixture::Bench bench(this->context, settings, both);
         bench.next(cameraMove(settings));
         const std::vector<float> found = bench.next(cameraMove(settings), wall);
-        const float ghost = largestDifference(found, this->single(wall), 18, 29);
+        const float ghost = largestColumnDifference(found, this->single(wall), 18, 29);
         if (toleratesAll) {
             EXPECT_GT(ghost, 0.3f);
         } else {
@@ -310,11 +310,11 @@ TYPED_TEST_P(HistoryCases, BadValuesStayInTheirPixelsAndPass) {
             EXPECT_TRUE(std::all_of(bad[i].begin(), bad[i].end(), [](float v) { return std::isfinite(v) && v >= 0; }))
                 << value << ", frame " << i;
             // The cubic lookup of the history reads two pixels more.
-            EXPECT_EQ(largestDifference(bad[i], good[i], 0, 17), 0) << value << ", frame " << i;
-            EXPECT_EQ(largestDifference(bad[i], good[i], 30, 47), 0) << value << ", frame " << i;
+            EXPECT_EQ(largestColumnDifference(bad[i], good[i], 0, 17), 0) << value << ", frame " << i;
+            EXPECT_EQ(largestColumnDifference(bad[i], good[i], 30, 47), 0) << value << ", frame " << i;
         }
         // The largest emission is 16; half of it remains after each frame.
-        EXPECT_LT(largestDifference(bad.back(), good.back()), 16.0f / 1024) << value;
+        EXPECT_LT(largestColumnDifference(bad.back(), good.back()), 16.0f / 1024) << value;
     }
 }
 
@@ -327,7 +327,7 @@ TYPED_TEST_P(HistoryCases, HistoryIsClippedToTheColoursAround) {
     addBox(green, -10, 58, 5, glm::vec3(0, 0.5f, 0));
     typename TestFixture::Bench bench(this->context, settings, red);
     bench.next(cameraMove(settings));
-    EXPECT_LT(largestDifference(bench.next(cameraMove(settings), green), this->single(green)), 2e-3f);
+    EXPECT_LT(largestColumnDifference(bench.next(cameraMove(settings), green), this->single(green)), 2e-3f);
 }
 
 // A box of stripes moves by four pixels before a wall that stands still.
@@ -350,11 +350,11 @@ TYPED_TEST_P(HistoryCases, HistoryFollowsMotionVectors) {
     typename TestFixture::Bench bench(this->context, settings, scene(0, 1));
     bench.next(cameraMove(settings));
     const std::vector<float> found = bench.next(cameraMove(settings), scene(4, 0.5f));
-    EXPECT_LT(largestDifference(found, expected, 12, 27), 2e-3f);
+    EXPECT_LT(largestColumnDifference(found, expected, 12, 27), 2e-3f);
     settings.config.temporal.motion = nullptr;
     typename TestFixture::Bench untold(this->context, settings, scene(0, 1));
     untold.next(cameraMove(settings));
-    EXPECT_GT(largestDifference(untold.next(cameraMove(settings), scene(4, 0.5f)), expected, 12, 27), 0.1f);
+    EXPECT_GT(largestColumnDifference(untold.next(cameraMove(settings), scene(4, 0.5f)), expected, 12, 27), 0.1f);
 }
 
 // Any technique with a depth buffer: equal frames have the image of one, within two roundings of 16 bits at the largest
@@ -369,7 +369,7 @@ TYPED_TEST_P(HistoryCases, OtherTechniquesAccumulate) {
         settings.config.flags |= AGAA_CONFIG_ACCUMULATE;
         typename TestFixture::Bench bench(this->context, settings, triangles);
         bench.next(cameraMove(settings));
-        EXPECT_LT(largestDifference(bench.next(cameraMove(settings)), expected), 0.016f);
+        EXPECT_LT(largestColumnDifference(bench.next(cameraMove(settings)), expected), 0.016f);
     }
 }
 

@@ -86,7 +86,7 @@ private:
     AgaaLight light_ = sun(), second_ = sun();
 };
 
-inline double largestDifference(const std::vector<float>& a, const std::vector<float>& b) {
+inline double largestRelativeDifference(const std::vector<float>& a, const std::vector<float>& b) {
     double largest = a.size() == b.size() ? 0 : HUGE_VAL;
     for (size_t i = 0; i < a.size() && i < b.size(); ++i)
         largest = std::max(largest, std::abs(double(a[i]) - double(b[i])) / (1 + std::abs(double(b[i]))));
@@ -141,10 +141,10 @@ protected:
             expectSameImage(own, unprepared, context.caps());
             ViewSettings fewer = settings;
             fewer.facts = facts;
-            largest = std::max(
-                largest, largestDifference(own, Rig(context, fewer, triangles).show(nullptr, facts.shadowMapCount)));
+            largest = std::max(largest, largestRelativeDifference(
+                                            own, Rig(context, fewer, triangles).show(nullptr, facts.shadowMapCount)));
             EXPECT_GT(sumOf(own), 0);
-            least = std::min(least, largestDifference(own, prepared.show(nullptr, 1)));
+            least = std::min(least, largestRelativeDifference(own, prepared.show(nullptr, 1)));
         }
         std::printf("%s %s: views of fewer facts differ by %.2g, frames of all facts by %.2g\n", way.technique,
                     agaaTierName(way.tier), largest, least);

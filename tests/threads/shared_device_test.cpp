@@ -30,7 +30,7 @@ struct Shared {
     Shared() { vkGetDeviceQueue(device.get(), device.queueFamily(), 0, &queue); }
 };
 
-void AGAA_CALL onMessage(void* user, uint32_t severity, AgaaResult, const char* message) {
+void AGAA_CALL appendError(void* user, uint32_t severity, AgaaResult, const char* message) {
     if (severity == AGAA_SEVERITY_ERROR)
         static_cast<std::string*>(user)->append(message).append("\n");
 }
@@ -41,7 +41,7 @@ class Host {
 public:
     explicit Host(Shared& shared) : shared_(shared), output_(shared.device, width, height) {
         AgaaLog log = AGAA_LOG_INIT;
-        log.callback = onMessage;
+        log.callback = appendError;
         log.user = &errors_;
         AgaaVkDeviceDesc desc = AGAA_VK_DEVICE_DESC_INIT;
         const Device& device = shared.device;

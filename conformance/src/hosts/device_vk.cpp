@@ -10,7 +10,7 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr VkFormat outputFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat outputFormatVk = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 class VulkanDevice : public Device {
 public:
@@ -148,7 +148,7 @@ public:
 private:
     std::unique_ptr<VulkanImage> makeOutput(uint32_t width, uint32_t height) {
         auto image =
-            std::make_unique<VulkanImage>(api_, width, height, 1, outputFormat,
+            std::make_unique<VulkanImage>(api_, width, height, 1, outputFormatVk,
                                           VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
                                               VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                                           VK_IMAGE_VIEW_TYPE_2D);

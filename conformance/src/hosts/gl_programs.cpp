@@ -10,7 +10,7 @@ namespace agaa::conformance {
 namespace {
 
 // GLSL before 4.30 has explicit locations only by extension.
-std::string versionText(uint32_t glslVersion) {
+std::string versionLine(uint32_t glslVersion) {
     return "#version " + std::to_string(glslVersion) +
            " core\n"
            "#extension GL_ARB_separate_shader_objects : enable\n"
@@ -29,7 +29,7 @@ std::string outputsText(uint32_t count, bool isDeclaration) {
 }
 
 std::string fragmentText(const AgaaDrawPass& pass, const ShaderDialect& dialect, bool isMasked) {
-    const std::string text = versionText(dialect.glslVersion) + pass.glslExtensions +
+    const std::string text = versionLine(dialect.glslVersion) + pass.glslExtensions +
                              (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") + pass.glslDeclarations;
     if (!dialect.declaresOutputs)
         return text + fragmentShader;
@@ -57,12 +57,12 @@ void attach(GLuint program, GLenum stage, const std::string& text) {
 // Returns an empty text for passes that need none.
 std::string geometryText(const AgaaDrawPass& pass, const ShaderDialect& dialect) {
     return pass.glslGeometry
-               ? versionText(dialect.glslVersion) + pass.glslExtensions + pass.glslGeometry + geometryShader
+               ? versionLine(dialect.glslVersion) + pass.glslExtensions + pass.glslGeometry + geometryShader
                : "";
 }
 
 std::string vertexText(const AgaaDrawPass& pass, const ShaderDialect& dialect) {
-    const std::string version = versionText(dialect.glslVersion);
+    const std::string version = versionLine(dialect.glslVersion);
     if (!pass.glslVertex)
         return version + "#define ON_OPENGL\n" + vertexShader;
     const std::string own = version + pass.glslExtensions + "#define ON_OPENGL\n" + pass.glslVertex;

@@ -10,18 +10,18 @@
 namespace agaa::test {
 namespace {
 
-const GladGLContext& real() { return sharedEgl().gl(); }
+const GladGLContext& driver() { return sharedEgl().gl(); }
 
 GLbitfield barriers; // since the last call that is looked at
 bool clearedBehindBarrier;
 
 void GLAD_API_PTR memoryBarrier(GLbitfield bits) {
     barriers |= bits;
-    real().MemoryBarrier(bits);
+    driver().MemoryBarrier(bits);
 }
 void GLAD_API_PTR clearBuffer(GLuint buffer, GLenum internalFormat, GLenum format, GLenum type, const void* data) {
     clearedBehindBarrier &= (barriers & GL_BUFFER_UPDATE_BARRIER_BIT) != 0;
-    real().ClearNamedBufferData(buffer, internalFormat, format, type, data);
+    driver().ClearNamedBufferData(buffer, internalFormat, format, type, data);
 }
 
 // What a draw stored before its callback failed is cleared by the next frame.
@@ -45,17 +45,17 @@ TEST(GlCalls, AFailureIsFollowedByBarriers) {
 uint32_t dispatches, fedBack; // the latter: with images bound to draw to
 void GLAD_API_PTR dispatch(GLuint x, GLuint y, GLuint z) {
     GLint framebuffer = 0;
-    real().GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    driver().GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
     bool draws = framebuffer == 0;
     for (const GLenum attachment : {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT}) {
         GLint kind = GL_NONE;
-        real().GetNamedFramebufferAttachmentParameteriv(GLuint(framebuffer), framebuffer ? attachment : GL_BACK,
-                                                        GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &kind);
+        driver().GetNamedFramebufferAttachmentParameteriv(GLuint(framebuffer), framebuffer ? attachment : GL_BACK,
+                                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &kind);
         draws |= kind != GL_NONE;
     }
     ++dispatches;
     fedBack += draws;
-    real().DispatchCompute(x, y, z);
+    driver().DispatchCompute(x, y, z);
 }
 
 // OpenGL 4.5, 9.3.1: fetching from what the bound framebuffer could write is undefined, for another kind of shader too.
@@ -75,12 +75,12 @@ TEST(GlCalls, NothingIsFetchedFromTheBoundFramebuffer) {
 
 // The driver is said to be a GPU's, so that a shader fills buffers, whose text is refused.
 const GLubyte* GLAD_API_PTR stringOfAGpu(GLenum name) {
-    return name == GL_RENDERER ? reinterpret_cast<const GLubyte*>("a GPU") : real().GetString(name);
+    return name == GL_RENDERER ? reinterpret_cast<const GLubyte*>("a GPU") : driver().GetString(name);
 }
 void GLAD_API_PTR sourceWithoutFill(GLuint shader, GLsizei count, const GLchar* const* texts, const GLint* lengths) {
     const GLchar* const wrong = "#version 430\nwrong";
     const bool fills = std::strstr(texts[0], "block.words[i] = value") != nullptr;
-    real().ShaderSource(shader, count, fills ? &wrong : texts, fills ? nullptr : lengths);
+    driver().ShaderSource(shader, count, fills ? &wrong : texts, fills ? nullptr : lengths);
 }
 
 TEST(GlCalls, AShaderThatDoesNotFillIsReplacedWithAWarning) {
@@ -106,14 +106,14 @@ TEST(GlCalls, AShaderThatDoesNotFillIsReplacedWithAWarning) {
 
 const char queryOfSamples[] = "GL_NV_internalformat_sample_query";
 void GLAD_API_PTR integersAndOneExtension(GLenum parameter, GLint* out) {
-    real().GetIntegerv(parameter, out);
+    driver().GetIntegerv(parameter, out);
     *out += parameter == GL_NUM_EXTENSIONS;
 }
 const GLubyte* GLAD_API_PTR stringOrExtension(GLenum name, GLuint index) {
     GLint count = 0;
-    real().GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    driver().GetIntegerv(GL_NUM_EXTENSIONS, &count);
     return name == GL_EXTENSIONS && index == GLuint(count) ? reinterpret_cast<const GLubyte*>(queryOfSamples)
-                                                           : real().GetStringi(name, index);
+                                                           : driver().GetStringi(name, index);
 }
 GLenum whatFourLack;
 void GLAD_API_PTR sampleQuery(GLenum, GLenum, GLsizei samples, GLenum parameter, GLsizei, GLint* out) {
@@ -168,7 +168,7 @@ TEST(GlCalls, AFrameWithoutShadowsNeedsNoMap) {
 
 bool compiles;
 void GLAD_API_PTR getShader(GLuint shader, GLenum parameter, GLint* value) {
-    real().GetShaderiv(shader, parameter, value);
+    driver().GetShaderiv(shader, parameter, value);
     if (parameter == GL_COMPILE_STATUS && !compiles)
         *value = GL_FALSE;
 }
@@ -194,23 +194,23 @@ TEST(GlCalls, AProbeThatDoesNotCompileLeavesTheClock) {
 GLenum errorOfObjects = GL_NO_ERROR; // of the first call after samplers are made
 bool hasMadeSamplers;
 int32_t samplersAlive;
-void GLAD_API_PTR createSamplers(GLsizei count, GLuint* samplers) {
-    real().CreateSamplers(count, samplers);
+void GLAD_API_PTR countCreatedSamplers(GLsizei count, GLuint* samplers) {
+    driver().CreateSamplers(count, samplers);
     hasMadeSamplers = true;
     samplersAlive += count;
 }
-void GLAD_API_PTR deleteSamplers(GLsizei count, const GLuint* samplers) {
-    real().DeleteSamplers(count, samplers);
+void GLAD_API_PTR countDeletedSamplers(GLsizei count, const GLuint* samplers) {
+    driver().DeleteSamplers(count, samplers);
     samplersAlive -= count;
 }
 GLenum GLAD_API_PTR errorOnceSamplersAreMade() {
-    return hasMadeSamplers ? std::exchange(errorOfObjects, GLenum{GL_NO_ERROR}) : real().GetError();
+    return hasMadeSamplers ? std::exchange(errorOfObjects, GLenum{GL_NO_ERROR}) : driver().GetError();
 }
 
 TEST(GlCalls, AContextWhoseObjectsFailIsNotCreated) {
     Replaced replaced;
-    replace(replaced, "glCreateSamplers", createSamplers);
-    replace(replaced, "glDeleteSamplers", deleteSamplers);
+    replace(replaced, "glCreateSamplers", countCreatedSamplers);
+    replace(replaced, "glDeleteSamplers", countDeletedSamplers);
     replace(replaced, "glGetError", errorOnceSamplersAreMade);
     for (const auto& [error, result] :
          {std::pair{GL_OUT_OF_MEMORY, AGAA_ERROR_OUT_OF_MEMORY}, std::pair{GL_INVALID_OPERATION, AGAA_ERROR_DEVICE}}) {
@@ -232,19 +232,19 @@ TEST(GlCalls, AContextWhoseObjectsFailIsNotCreated) {
 
 uint32_t clipped; // draws
 void GLAD_API_PTR drawArrays(GLenum mode, GLint first, GLsizei count) {
-    clipped += real().IsEnabled(GL_CLIP_DISTANCE0 + 2);
-    real().DrawArrays(mode, first, count);
+    clipped += driver().IsEnabled(GL_CLIP_DISTANCE0 + 2);
+    driver().DrawArrays(mode, first, count);
 }
 
 TEST(GlCalls, TheProbeIsNotClipped) {
     Replaced replaced;
     replace(replaced, "glDrawArrays", drawArrays);
     clipped = 0;
-    real().Enable(GL_CLIP_DISTANCE0 + 2);
+    driver().Enable(GL_CLIP_DISTANCE0 + 2);
     const StageContext context(contextDesc(replaced));
     EXPECT_EQ(clipped, 0u);
-    EXPECT_TRUE(real().IsEnabled(GL_CLIP_DISTANCE0 + 2));
-    real().Disable(GL_CLIP_DISTANCE0 + 2);
+    EXPECT_TRUE(driver().IsEnabled(GL_CLIP_DISTANCE0 + 2));
+    driver().Disable(GL_CLIP_DISTANCE0 + 2);
 }
 
 TEST(GlCalls, TimesOfAnEarlierEndAreNotHuge) {

@@ -11,7 +11,7 @@
 namespace agaa::test {
 namespace {
 
-constexpr uint32_t functionUnit = 20, functionBlock = 6; // beyond what frames touch
+constexpr uint32_t shadowUnit = 20, shadowBlock = 6; // beyond what frames touch
 constexpr const char* functionText = R"(
 layout(binding = 20) uniform sampler2D hostMap;
 layout(std140, binding = 6) uniform Host { float threshold; } host;
@@ -39,13 +39,13 @@ std::vector<float> byFunction(ViewSettings settings, float depth) {
     const harness::gl::Buffer block = harness::gl::createBuffer(gl);
     const float threshold[4] = {0.25f, 0, 0, 0};
     gl.NamedBufferData(block.get(), sizeof threshold, threshold, GL_STATIC_DRAW);
-    gl.BindTextureUnit(functionUnit, map.get());
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, functionBlock, block.get());
+    gl.BindTextureUnit(shadowUnit, map.get());
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, shadowBlock, block.get());
     Bench bench(settings);
     bench.shadow = AgaaShadow{};
     const std::vector<float> picture = bench.picture();
-    gl.BindTextureUnit(functionUnit, 0);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, functionBlock, 0);
+    gl.BindTextureUnit(shadowUnit, 0);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, shadowBlock, 0);
     return picture;
 }
 

@@ -64,7 +64,7 @@ void bindPipeline(Scrambling& s) {
     s.gl.UseProgram(static_cast<GLuint>(program));
 }
 
-const Scrambler kScramblers[] = {
+const Scrambler kBindings[] = {
     {"GL_PROGRAM_PIPELINE_BINDING", bindPipeline},
     {"GL_CURRENT_PROGRAM", [](Scrambling& s) { s.gl.UseProgram(s.values.nameOrNone(s.objects.programs)); }},
     {"GL_DRAW_FRAMEBUFFER_BINDING",
@@ -112,6 +112,6 @@ const Scrambler kScramblers[] = {
 
 } // namespace
 
-std::span<const Scrambler> bindingScramblers() { return kScramblers; }
+std::span<const Scrambler> bindingScramblers() { return kBindings; }
 
 } // namespace agaa::test

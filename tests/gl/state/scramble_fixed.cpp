@@ -35,7 +35,7 @@ constexpr auto pixelAlignment = [](Scrambling& s) {
     s.gl.PixelStorei(s.row.parameters[0], s.values.oneOf<GLint>({1, 2, 8}));
 };
 
-const Scrambler kScramblers[] = {
+const Scrambler kFixedFunctions[] = {
     {"GL_VIEWPORT",
      [](Scrambling& s) {
          s.gl.ViewportIndexedf(s.element, s.values.number(-8, 8), s.values.number(-8, 8), s.values.number(1, 33),
@@ -225,6 +225,6 @@ const Scrambler kScramblers[] = {
 
 } // namespace
 
-std::span<const Scrambler> fixedFunctionScramblers() { return kScramblers; }
+std::span<const Scrambler> fixedFunctionScramblers() { return kFixedFunctions; }
 
 } // namespace agaa::test

@@ -11,7 +11,7 @@
 namespace agaa::test {
 namespace {
 
-ViewSettings settingsFor(uint32_t n, uint32_t c, const AgaaLayout* layout = nullptr) {
+ViewSettings gbufferSettings(uint32_t n, uint32_t c, const AgaaLayout* layout = nullptr) {
     ViewSettings settings;
     settings.config.samples = n;
     settings.config.aggregates = c;
@@ -59,7 +59,7 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
     SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c) + " " + layoutName);
     AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout(layoutName, &layout);
-    ViewSettings settings = settingsFor(n, c, &layout);
+    ViewSettings settings = gbufferSettings(n, c, &layout);
     settings.config.flags |= AGAA_CONFIG_BUFFERED;
     StageView view(context, settings);
     view.setTriangles(randomTriangles({.triangles = 300, .duplicates = 0.1f, .masked = 0.2f}, 61));
@@ -155,7 +155,7 @@ double meanDifference(const harness::Image& a, const harness::Image& b) {
 // Four samples in four aggregates at most: what is left is the rounding of sums.
 TEST(GBufferTier, ServesMaterialsThatWriteDepthAndDiscard) {
     StageContext context;
-    ViewSettings settings = settingsFor(4, 4);
+    ViewSettings settings = gbufferSettings(4, 4);
     settings.config.generationTier = AGAA_TIER_AUTO;
     settings.config.aggregation.aggregateThreshold = 0;
     settings.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
@@ -176,7 +176,7 @@ TEST(GBufferTier, ServesMaterialsThatWriteDepthAndDiscard) {
 TEST(GBufferTier, BufferedShowsTheSame) {
     StageContext context;
     for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 1u}, {8u, 2u}, {32u, 4u}}) {
-        ViewSettings settings = settingsFor(n, c);
+        ViewSettings settings = gbufferSettings(n, c);
         const Rendered fused = render(context, settings);
         settings.config.flags |= AGAA_CONFIG_BUFFERED;
         const Rendered buffered = render(context, settings);
@@ -192,7 +192,7 @@ TEST(GBufferTier, BufferedShowsTheSame) {
 TEST(GBufferTier, AgreesWithTheTwoPassTiers) {
     StageContext context;
     for (uint32_t n : {4u, 8u, 32u}) {
-        ViewSettings settings = settingsFor(n, 2);
+        ViewSettings settings = gbufferSettings(n, 2);
         const Rendered gbuffer = render(context, settings);
         settings.config.generationTier = AGAA_TIER_AUTO;
         const Rendered atomics = render(context, settings);

@@ -15,7 +15,7 @@
 namespace agaa::test {
 namespace {
 
-ViewSettings settingsFor(const char* technique) {
+ViewSettings settingsOf(const char* technique) {
     ViewSettings settings;
     settings.config.technique = technique;
     settings.config.flags = AGAA_CONFIG_COUNTERS;
@@ -40,7 +40,7 @@ std::vector<float> pixels(const HostOptions& options, const ViewSettings& settin
 class HostsTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(HostsTest, RenderPassesDynamicRenderingAndRecordingAgree) {
-    const ViewSettings settings = settingsFor(GetParam());
+    const ViewSettings settings = settingsOf(GetParam());
     const std::vector<float> expected = pixels({}, settings);
     float largest = 0;
     for (float value : expected)
@@ -79,14 +79,14 @@ TEST(Hosts, AttachmentsThatShadersReadAgree) {
 }
 
 TEST_P(HostsTest, SegmentsInCallsOfTheirOwnAgree) {
-    const ViewSettings settings = settingsFor(GetParam());
+    const ViewSettings settings = settingsOf(GetParam());
     const std::vector<float> expected = pixels({}, settings);
     EXPECT_EQ(pixels({}, settings, true), expected);
     EXPECT_EQ(pixels({.renderPass = true, .inlineRecording = true}, settings, true), expected);
 }
 
 TEST_P(HostsTest, FramesInFlightAndRepetitionAgree) {
-    const ViewSettings settings = settingsFor(GetParam());
+    const ViewSettings settings = settingsOf(GetParam());
     const std::vector<float> expected = pixels({}, settings);
     for (uint32_t inFlight : {1u, 3u, 8u})
         EXPECT_EQ(pixels({.framesInFlight = inFlight}, settings, false, 10), expected);
@@ -94,7 +94,7 @@ TEST_P(HostsTest, FramesInFlightAndRepetitionAgree) {
 
 // Two frames of which neither waits for the other: each has its own lights, shadows, output and counts.
 TEST_P(HostsTest, FramesInFlightKeepWhatIsTheirs) {
-    ViewSettings settings = settingsFor(GetParam());
+    ViewSettings settings = settingsOf(GetParam());
     settings.facts.shadowMapCount = 1;
     StageContext context;
     const ShadowLayers shadow({0.0f}, 4);
@@ -165,7 +165,7 @@ bool hasTimestamps() {
 TEST_P(HostsTest, PassesAreTimed) {
     if (!hasTimestamps())
         GTEST_SKIP() << "the queue family has no timestamps";
-    ViewSettings settings = settingsFor(GetParam());
+    ViewSettings settings = settingsOf(GetParam());
     for (const bool timed : {false, true}) {
         settings.config.flags = timed ? AGAA_CONFIG_TIMESTAMPS : 0;
         StageContext context;
@@ -190,7 +190,7 @@ TEST_P(HostsTest, PassesAreTimed) {
 
 TEST_P(HostsTest, OutputLayoutsAreLeftAsAsked) {
     StageContext context;
-    StageView view(context, settingsFor(GetParam()));
+    StageView view(context, settingsOf(GetParam()));
     view.setTriangles(randomTriangles({.triangles = 50}, 12));
     // Validation knows the layout that the image is in; reading wants TRANSFER_SRC.
     view.render(view.frame(), [](AgaaVkFrame& vk) { vk.outputLayoutOut = VK_IMAGE_LAYOUT_GENERAL; });
@@ -205,7 +205,7 @@ TEST_P(HostsTest, OutputLayoutsAreLeftAsAsked) {
 // What the output held shows where nothing is drawn, and in part where something is.
 TEST_P(HostsTest, CompositesOverTheOutput) {
     StageContext context;
-    ViewSettings settings = settingsFor(GetParam());
+    ViewSettings settings = settingsOf(GetParam());
     settings.facts.maxLights = 1;
     const AgaaLight light = sun();
     const auto render = [&](StageView& view, bool composite, uint32_t layoutIn) {
@@ -232,7 +232,7 @@ TEST_P(HostsTest, CompositesOverTheOutput) {
 // The host reads the depth between the prepass and the rest.
 TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
     StageContext context;
-    ViewSettings settings = settingsFor(GetParam());
+    ViewSettings settings = settingsOf(GetParam());
     settings.config.flags |= AGAA_CONFIG_READBACK;
     StageView view(context, settings);
     view.setTriangles(randomTriangles({.triangles = 200}, 13));
@@ -283,7 +283,7 @@ TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
     if (std::string(GetParam()) == "fxaa")
         GTEST_SKIP() << "a filter carries ties to pixels around them";
     StageContext context;
-    ViewSettings settings = settingsFor(GetParam());
+    ViewSettings settings = settingsOf(GetParam());
     settings.config.adaptive.flags = AGAA_ADAPTIVE_GEOMETRY; // the other metric compares pixels with their neighbours
     std::vector<Triangle> scene = randomTriangles({.triangles = 200, .duplicates = 0.1f, .masked = 0.2f}, 14);
     std::vector<Triangle> shuffled = scene;

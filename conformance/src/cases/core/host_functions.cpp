@@ -11,12 +11,9 @@ namespace {
 
 using Change = std::function<void(ViewParts&)>;
 
-constexpr const char* techniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa", "ssaa",    "visibility",
-                                      "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"};
-
 // All techniques accept the function, except those in `refusing`.
 void testNotFor(Test& test, const std::set<std::string>& refusing, const std::string& name, const Change& chain) {
-    for (const char* technique : techniques) {
+    for (const char* technique : allTechniques) {
         ViewParts parts(test.sdk, nullptr);
         parts.facts.shadowMapCount = 1;
         parts.setTechnique(technique, 4);

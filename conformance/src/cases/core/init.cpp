@@ -9,7 +9,7 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr size_t guard = 64, more = 4096;
+constexpr size_t guardBytes = 64, moreBytes = 4096;
 
 struct InitRow {
     std::string name;
@@ -26,7 +26,7 @@ void takeTechnique(AgaaConfig& config, const std::vector<unsigned char>& expecte
 
 void testInit(Test& test, const InitRow& row) {
     const size_t size = row.expected.size();
-    Bytes bytes(size + guard);
+    Bytes bytes(size + guardBytes);
     row.init(test.sdk, bytes.data(), size);
     if (row.name == "AgaaConfig")
         takeTechnique(*reinterpret_cast<AgaaConfig*>(bytes.data()), row.expected);
@@ -39,7 +39,7 @@ void testInit(Test& test, const InitRow& row) {
 
 // A host with an older header has a smaller struct: only its members are written.
 void testSmaller(Test& test, const InitRow& row, size_t size) {
-    Bytes bytes(row.expected.size() + guard);
+    Bytes bytes(row.expected.size() + guardBytes);
     row.init(test.sdk, bytes.data(), size);
     test.check(bytes.findDifference(size, bytes.size(), Bytes::pattern) == bytes.size(),
                row.name + ": the function writes beyond structSize = " + std::to_string(size) + ".");
@@ -49,15 +49,15 @@ void testSmaller(Test& test, const InitRow& row, size_t size) {
 // them.
 void testLarger(Test& test, const InitRow& row, bool hasHeader) {
     const size_t size = row.expected.size();
-    Bytes bytes(size + more + guard);
-    row.init(test.sdk, bytes.data(), size + more);
-    const size_t unknown = isSameVersion(test) ? size : size + more - 64;
-    test.check(bytes.findDifference(unknown, size + more, 0) == bytes.size(),
+    Bytes bytes(size + moreBytes + guardBytes);
+    row.init(test.sdk, bytes.data(), size + moreBytes);
+    const size_t unknown = isSameVersion(test) ? size : size + moreBytes - 64;
+    test.check(bytes.findDifference(unknown, size + moreBytes, 0) == bytes.size(),
                row.name + ": bytes that the library does not know are not 0 after the function.");
-    test.check(bytes.findDifference(size + more, bytes.size(), Bytes::pattern) == bytes.size(),
+    test.check(bytes.findDifference(size + moreBytes, bytes.size(), Bytes::pattern) == bytes.size(),
                row.name + ": the function writes beyond a structSize that is larger than the library's.");
     if (hasHeader)
-        test.check(bytes.header().structSize == size + more, row.name + ": the function does not set structSize.");
+        test.check(bytes.header().structSize == size + moreBytes, row.name + ": the function does not set structSize.");
 }
 
 std::vector<unsigned char> expectedOf(const StructRow& row) {

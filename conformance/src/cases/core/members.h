@@ -8,6 +8,9 @@
 
 namespace agaa::conformance {
 
+// Converts a value of a row to that of its member.
+inline uint32_t whole(double value) { return uint32_t(value); }
+
 // Values are doubles, which hold every float and every uint32_t.
 struct MemberRow {
     std::string promise; // for example AgaaConfig.samples/range

@@ -35,8 +35,6 @@ void add(Suite& suite, const Member& member) {
     suite.core(member.promise, [member](Test& test) { testMember(test, member); });
 }
 
-uint32_t whole(double value) { return uint32_t(value); }
-
 void addGoal(Suite& suite) {
     const double largest = std::numeric_limits<float>::max();
     add(suite, {"AgaaGoal.maxErrorShare/range",

@@ -8,8 +8,6 @@ namespace agaa::conformance {
 
 namespace {
 
-uint32_t whole(double value) { return uint32_t(value); }
-
 AgaaLayoutAttribute attribute(uint32_t semantic, uint32_t channels, uint32_t bits = 8, const char* name = nullptr) {
     AgaaLayoutAttribute a = AGAA_LAYOUT_ATTRIBUTE_INIT;
     a.semantic = semantic;

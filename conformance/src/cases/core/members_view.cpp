@@ -8,8 +8,6 @@ namespace agaa::conformance {
 
 namespace {
 
-uint32_t whole(double value) { return uint32_t(value); }
-
 void addFactsAndView(Suite& suite) {
     addMember(suite, {"AgaaSceneFacts.maxLights/range",
                       "AgaaSceneFacts::maxLights",

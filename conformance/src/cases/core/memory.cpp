@@ -10,8 +10,6 @@ namespace agaa::conformance {
 
 namespace {
 
-template <class T> bool isSameBytes(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
 template <class T> T patternOf(const T& initial) {
     T value = initial;
     constexpr size_t header = sizeof(AgaaStructHeader);

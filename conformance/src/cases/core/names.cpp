@@ -99,7 +99,7 @@ std::vector<std::string> namesOf(Test& test, uint32_t kind) {
 constexpr uint32_t kinds[] = {AGAA_NAMES_TECHNIQUES, AGAA_NAMES_TIERS, AGAA_NAMES_STAGES, AGAA_NAMES_LAYOUTS,
                               AGAA_NAMES_PRESETS};
 
-void testNames(Test& test) {
+void testLists(Test& test) {
     for (const uint32_t kind : kinds) {
         const std::vector<std::string> names = namesOf(test, kind);
         const std::string call = "agaaGetNames(" + std::to_string(kind) + ")";
@@ -301,7 +301,7 @@ void addNameCases(Suite& suite) {
     suite.core("agaaGetJitter/outJitter.unchanged", testJitterRange);
     suite.core("agaaGetJitter/AGAA_ERROR_OUT_OF_RANGE", testJitter);
     suite.core("agaaGetJitter/AGAA_ERROR_INVALID_ARGUMENT", testJitterErrors);
-    suite.core("agaaGetNames/names.null", testNames);
+    suite.core("agaaGetNames/names.null", testLists);
     suite.core("agaaGetNames/AGAA_ERROR_INVALID_ARGUMENT", testNamesInvalid);
     suite.core("agaaGetNames/AGAA_ERROR_BUFFER_TOO_SMALL", testNamesTooSmall);
     addTierCases(suite);

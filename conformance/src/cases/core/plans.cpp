@@ -13,9 +13,6 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr const char* techniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa", "ssaa",    "visibility",
-                                      "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"};
-
 std::string nameOf(const ViewParts& p) {
     return std::string("\"") + p.config.technique + "\", n = " + std::to_string(p.config.samples) + ", tier " +
            std::to_string(p.config.generationTier) + ", " + std::to_string(p.desc.width) + " x " +
@@ -29,7 +26,7 @@ bool hasOrderedGrid(const std::string& technique) {
 
 // Views of every technique, n and tier that an ideal device runs.
 void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
-    for (const char* technique : techniques)
+    for (const char* technique : allTechniques)
         for (const uint32_t samples : hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128}
                                       : technique == std::string("agaa")
                                           ? std::vector<uint32_t>{1, 2, 4, 8, 16, 32, 64, 128}
@@ -210,7 +207,7 @@ void checkGrowth(Test& test, ViewParts& parts) {
 
 // Without shared memory the peak is the total.
 void testNoSharing(Test& test) {
-    for (const char* technique : techniques) {
+    for (const char* technique : allTechniques) {
         ViewParts parts(test.sdk, nullptr);
         parts.setTechnique(technique, 4);
         parts.config.flags = AGAA_CONFIG_READBACK;

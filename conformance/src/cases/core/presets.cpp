@@ -9,8 +9,6 @@ namespace agaa::conformance {
 
 namespace {
 
-template <class T> bool isSameBytes(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
 // ---- layouts -------------------------------------------------------------------------------------
 
 const AgaaLayoutAttribute* find(const AgaaLayout& layout, uint32_t semantic) {

@@ -22,7 +22,7 @@ std::vector<AgaaPrice> pricesOf(Test& test, const ViewParts& parts, const AgaaDe
     return prices;
 }
 
-AgaaMemoryReport memoryOf(Test& test, const ViewParts& parts) {
+AgaaMemoryReport memoryReportOf(Test& test, const ViewParts& parts) {
     AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
     test.requireOk(test.sdk.agaaQueryMemory(parts.get(), &parts.caps, nullptr, &report, nullptr, nullptr),
                    "agaaQueryMemory");
@@ -33,11 +33,8 @@ bool areSame(const std::vector<AgaaPrice>& a, const std::vector<AgaaPrice>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(AgaaPrice)) == 0;
 }
 
-constexpr const char* techniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa", "ssaa",    "visibility",
-                                      "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"};
-
-void testCapsNull(Test& test) {
-    for (const char* technique : techniques) {
+void testPricesOfNullCaps(Test& test) {
+    for (const char* technique : allTechniques) {
         ViewParts parts(test.sdk, nullptr);
         parts.setTechnique(technique, 4);
         test.check(areSame(pricesOf(test, parts, nullptr), pricesOf(test, parts, &parts.caps)),
@@ -56,11 +53,11 @@ void testPricesNull(Test& test) {
 
 // The first entry is the view and equals agaaQueryMemory. Each price has a name and a description.
 void testKinds(Test& test) {
-    for (const char* technique : techniques) {
+    for (const char* technique : allTechniques) {
         ViewParts parts(test.sdk, nullptr);
         parts.setTechnique(technique, 4);
         const std::vector<AgaaPrice> prices = pricesOf(test, parts, &parts.caps);
-        const AgaaMemoryReport report = memoryOf(test, parts);
+        const AgaaMemoryReport report = memoryReportOf(test, parts);
         test.check(!prices.empty() && prices[0].kind == AGAA_PRICE_VIEW && prices[0].isPossible == 1,
                    "the first price is not that of the view.");
         test.check(prices[0].totalBytes == int64_t(report.totalBytes) &&
@@ -87,7 +84,7 @@ void testSteps(Test& test) {
         const auto partsOf = [&](uint32_t samples) {
             ViewParts parts(test.sdk, nullptr);
             parts.setTechnique(technique, samples);
-            return memoryOf(test, parts);
+            return memoryReportOf(test, parts);
         };
         ViewParts parts(test.sdk, nullptr);
         parts.setTechnique(technique, 4);
@@ -199,7 +196,7 @@ void testTooLarge(Test& test) {
 } // namespace
 
 void addPriceCases(Suite& suite) {
-    suite.core("agaaQueryPrices/caps.null", testCapsNull);
+    suite.core("agaaQueryPrices/caps.null", testPricesOfNullCaps);
     suite.core("agaaQueryPrices/log.null", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);
         uint32_t count = 0;

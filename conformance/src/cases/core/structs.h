@@ -3,6 +3,8 @@
 
 #include "suite.h"
 
+#include <cstring>
+
 namespace agaa::conformance {
 
 struct StructRow {
@@ -34,6 +36,9 @@ private:
     size_t size_;
     std::vector<uint64_t> words_;
 };
+
+// Returns whether two structs have the same bytes, padding included.
+template <class T> bool isSameBytes(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 // Returns whether the library has the version of these headers, and so knows nothing beyond them.
 inline bool isSameVersion(const Test& test) { return test.sdk.agaaGetVersion() == AGAA_HEADER_VERSION; }

@@ -14,7 +14,7 @@ constexpr uint32_t threadCount = 8;
 // Returns the results of a call as text. Two texts are equal if all results are equal.
 using Answer = std::function<std::string(const Functions& sdk, uint32_t variant)>;
 
-template <class T> std::string bytesOf(const T& value) {
+template <class T> std::string contentOf(const T& value) {
     return std::string(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
@@ -70,9 +70,9 @@ std::string memory(const Functions& sdk, uint32_t variant) {
     uint32_t count = 64;
     const AgaaResult result =
         sdk.agaaQueryMemory(&parts.desc, &parts.caps, log.get(), &report, &count, surfaces.data());
-    std::string text = std::to_string(result) + bytesOf(report) + logText(log);
+    std::string text = std::to_string(result) + contentOf(report) + logText(log);
     for (const AgaaSurface& surface : surfaces)
-        text += bytesOf(surface);
+        text += contentOf(surface);
     return text;
 }
 
@@ -82,7 +82,7 @@ std::string target(const Functions& sdk, uint32_t variant) {
     LogRecorder log;
     AgaaTarget out = AGAA_TARGET_INIT;
     const AgaaResult result = sdk.agaaQueryTarget(&parts.desc, &parts.caps, log.get(), &out);
-    return std::to_string(result) + bytesOf(out) + logText(log);
+    return std::to_string(result) + contentOf(out) + logText(log);
 }
 
 std::string prices(const Functions& sdk, uint32_t variant) {
@@ -95,7 +95,7 @@ std::string prices(const Functions& sdk, uint32_t variant) {
     const AgaaResult result = sdk.agaaQueryPrices(&parts.desc, &parts.caps, log.get(), &count, list.data());
     std::string text = std::to_string(result) + std::to_string(count) + logText(log);
     for (const AgaaPrice& price : list)
-        text += bytesOf(price);
+        text += contentOf(price);
     return text;
 }
 
@@ -107,7 +107,7 @@ std::string observation(const Functions& sdk, uint32_t variant) {
     statistics.counters.visible = statistics.counters.shadingEvents = 1000 + variant;
     AgaaObservation out = AGAA_OBSERVATION_INIT;
     const AgaaResult result = sdk.agaaObserve(&parts.desc, &parts.caps, log.get(), &statistics, &out);
-    return std::to_string(result) + bytesOf(out) + logText(log);
+    return std::to_string(result) + contentOf(out) + logText(log);
 }
 
 std::string choice(const Functions& sdk, uint32_t variant) {
@@ -119,7 +119,7 @@ std::string choice(const Functions& sdk, uint32_t variant) {
     AgaaChoice out = AGAA_CHOICE_INIT;
     const AgaaResult result =
         sdk.agaaChooseSettings(&parts.desc, &parts.caps, log.get(), &goal, nullptr, nullptr, &out);
-    return std::to_string(result) + bytesOf(out) + logText(log);
+    return std::to_string(result) + contentOf(out) + logText(log);
 }
 
 std::string appliedChoice(const Functions& sdk, uint32_t variant) {
@@ -129,7 +129,7 @@ std::string appliedChoice(const Functions& sdk, uint32_t variant) {
     made.technique = "ssaa";
     made.samples = 4 << (variant % 4); // no row has 16 samples
     const AgaaResult result = sdk.agaaApplyChoice(&made, &config, &aggregation, nullptr);
-    return std::to_string(result) + bytesOf(config) + bytesOf(aggregation);
+    return std::to_string(result) + contentOf(config) + contentOf(aggregation);
 }
 
 template <class Function> std::string viewText(const Functions& sdk, uint32_t variant, Function function) {
@@ -158,7 +158,7 @@ std::string capabilities(const Functions& sdk, uint32_t variant) {
     uint32_t count = 1024;
     std::string text = std::to_string(sdk.agaaQueryCapabilities(&parts.caps, &count, rows.data()));
     for (uint32_t i = 0; i < count && i < rows.size(); ++i)
-        text += bytesOf(rows[i]);
+        text += contentOf(rows[i]);
     return text;
 }
 
@@ -166,7 +166,7 @@ std::string layout(const Functions& sdk, uint32_t variant) {
     static const char* const names[] = {"precise", "paper16", "mlaa"};
     AgaaLayout out = AGAA_LAYOUT_INIT;
     const AgaaResult result = sdk.agaaGetBuiltinLayout(names[variant % 3], &out);
-    return std::to_string(result) + bytesOf(out);
+    return std::to_string(result) + contentOf(out);
 }
 
 std::string preset(const Functions& sdk, uint32_t variant) {
@@ -176,7 +176,7 @@ std::string preset(const Functions& sdk, uint32_t variant) {
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
     const AgaaResult result = sdk.agaaApplyPreset(names[variant % 5], &config, &aggregation, &measurement);
     config.technique = nullptr; // the pointer differs before and after the call
-    return std::to_string(result) + bytesOf(config) + bytesOf(aggregation) + bytesOf(measurement);
+    return std::to_string(result) + contentOf(config) + contentOf(aggregation) + contentOf(measurement);
 }
 
 std::string names(const Functions& sdk, uint32_t variant) {
@@ -192,7 +192,7 @@ std::string jitter(const Functions& sdk, uint32_t variant) {
     std::string text;
     for (uint64_t i = 0; i < 64; ++i) {
         float position[2] = {7, 7};
-        text += std::to_string(sdk.agaaGetJitter(i, variant * variant, position)) + bytesOf(position);
+        text += std::to_string(sdk.agaaGetJitter(i, variant * variant, position)) + contentOf(position);
     }
     return text;
 }
@@ -220,12 +220,12 @@ std::string tierFromName(const Functions& sdk, uint32_t variant) {
 
 std::string vulkan(const Functions& sdk, uint32_t) {
     AgaaVkRequirements out = AGAA_VK_REQUIREMENTS_INIT;
-    return std::to_string(sdk.agaaVkGetRequirements(&out)) + bytesOf(out);
+    return std::to_string(sdk.agaaVkGetRequirements(&out)) + contentOf(out);
 }
 
 std::string openGl(const Functions& sdk, uint32_t) {
     AgaaGlRequirements out = AGAA_GL_REQUIREMENTS_INIT;
-    return std::to_string(sdk.agaaGlGetRequirements(&out)) + bytesOf(out);
+    return std::to_string(sdk.agaaGlGetRequirements(&out)) + contentOf(out);
 }
 
 std::string plan(const Functions& sdk, uint32_t variant) { return viewText(sdk, variant, sdk.agaaPlanToJson); }

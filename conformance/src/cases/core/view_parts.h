@@ -32,6 +32,10 @@ struct ViewParts : ViewDescription {
     const AgaaViewDesc* get() const { return isNull ? nullptr : &desc; }
 };
 
+// All allTechniques of the library.
+constexpr const char* allTechniques[] = {"single",         "fxaa", "smaa", "taa",  "msaa", "ssaa",    "visibility",
+                                         "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"};
+
 // All flags that add a capability to a device.
 constexpr uint64_t idealDeviceFlags =
     AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |

@@ -8,7 +8,7 @@ namespace agaa::conformance {
 
 namespace {
 
-const AgaaDrawPass initialPass = AGAA_DRAW_PASS_INIT;
+const AgaaDrawPass unsetPass = AGAA_DRAW_PASS_INIT;
 
 struct Arguments {
     Arguments(Test& test, AgaaView theView) : view(theView) {
@@ -17,7 +17,7 @@ struct Arguments {
         vk = initialVk;
         gl = initialGl;
         test.requireOk(test.sdk.agaaGetDrawPasses(view, &length, nullptr), "agaaGetDrawPasses");
-        array.assign(length, initialPass);
+        array.assign(length, unsetPass);
         isVk = test.device().backend() == Backend::Vulkan;
     }
     AgaaView view;

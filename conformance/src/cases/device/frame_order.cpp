@@ -44,7 +44,7 @@ void expectSegmentsRefused(Rig& rig, uint64_t first, uint64_t second, const Imag
     expectNextFrame(rig, expected, what);
 }
 
-void testSegments(Test& test) {
+void testSegmentOrder(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
     const struct {
@@ -193,7 +193,7 @@ void testComposite(Test& test) {
 } // namespace
 
 void addFrameOrderCases(Suite& suite) {
-    addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER", testSegments);
+    addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER", testSegmentOrder);
     addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER/abandoned_frame", testAbandonedFrame);
     addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER/frame_index", testIndices);
     addRecordCase(suite, "AGAA_ERROR_WRONG_ORDER/first_index", testFirstIndex);

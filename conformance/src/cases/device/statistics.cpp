@@ -176,7 +176,7 @@ void testNotReady(Test& test) {
 }
 
 // A frame counts when all of its segments are recorded.
-void testSegments(Test& test) {
+void testUnfinishedFrame(Test& test) {
     Rig rig(test, oneSample);
     rig.render();
     AgaaFrame frame = rig.nextFrame();
@@ -245,7 +245,7 @@ void addStatisticsCases(Suite& suite) {
     suite.both("agaaGetFactReport/AGAA_ERROR_WRONG_ORDER", testNoChecks);
     suite.both("agaaGetFactReport/returns", testContradictions);
     suite.both("agaaGetFrameStatistics/returns", testNotReady);
-    suite.both("agaaGetFrameStatistics/returns/segments", testSegments);
+    suite.both("agaaGetFrameStatistics/returns/segments", testUnfinishedFrame);
     suite.both("agaaValidateFrame/returns", testValidationNotReady);
     suite.both("AgaaPassTime.stage/enum", [](Test& test) {
         testPasses(test, [&](const AgaaPassTime& pass, const AgaaFrameStatistics&) {

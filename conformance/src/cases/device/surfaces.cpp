@@ -163,7 +163,7 @@ void testHandles(Test& test) {
                 });
 }
 
-void testReserved(Test& test) {
+void testReservedOfSurfaces(Test& test) {
     forSurfaces(test, [&](const AgaaSurface&, const AgaaSurface& got, const Native& native, const std::string& what) {
         test.check(native.gl.reserved == 0, what + ": AgaaGlSurface::reserved is not 0.");
         test.check(got.reserved == 0, what + ": AgaaSurface::reserved is not 0.");
@@ -179,7 +179,7 @@ void addSurfaceCases(Suite& suite) {
     suite.both("agaaGetSurface/AGAA_ERROR_UNKNOWN_STRUCT",
                [](Test& test) { testCalls(test, AGAA_ERROR_UNKNOWN_STRUCT); });
     suite.both("agaaGetSurface/outSurface.unchanged", [](Test& test) { testCalls(test, AGAA_OK); });
-    suite.add("AgaaGlSurface.reserved/zero", {Backend::OpenGl}, testReserved);
+    suite.add("AgaaGlSurface.reserved/zero", {Backend::OpenGl}, testReservedOfSurfaces);
     suite.both("general/surfaces_are_as_predicted", testPredicted);
     suite.both("general/surfaces_have_handles", testHandles);
 }

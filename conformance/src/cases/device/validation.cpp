@@ -56,7 +56,7 @@ void testInvalid(Test& test) {
     }
 }
 
-void testReserved(Test& test) {
+void testReservedOfPixels(Test& test) {
     for (const AgaaInvalidPixel& pixel : validateMissing(test).pixels)
         test.check(!pixel.reserved[0] && !pixel.reserved[1], "AgaaInvalidPixel::reserved is not 0.");
 }
@@ -85,7 +85,7 @@ void addValidationCases(Suite& suite) {
     suite.both("general/validation_of_an_empty_frame", testEmpty);
     suite.both("general/validation_of_an_omitted_object", testInvalid);
     suite.both("general/validation_of_another_projection", testMisplaced);
-    suite.both("AgaaInvalidPixel.reserved/zero", testReserved);
+    suite.both("AgaaInvalidPixel.reserved/zero", testReservedOfPixels);
 }
 
 } // namespace agaa::conformance

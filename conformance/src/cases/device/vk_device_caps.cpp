@@ -29,7 +29,7 @@ AgaaResult interposedCaps(Test& test, const AgaaLog* log, AgaaDeviceCaps* caps) 
                                         description.vk.getProcAddr, log, caps);
 }
 
-void testMissing(Test& test) {
+void testMissingFunctions(Test& test) {
     VulkanInterposer vulkan;
     AgaaDeviceCaps caps = initialCaps;
     test.requireOk(interposedCaps(test, nullptr, &caps), "agaaVkGetDeviceCaps with functions of the suite");
@@ -90,7 +90,7 @@ void addVulkanCapsCases(Suite& suite) {
     const auto vk = [&](const char* name, std::function<void(Test&)> run) {
         suite.add(name, {Backend::Vulkan}, std::move(run));
     };
-    vk("agaaVkGetDeviceCaps/AGAA_ERROR_UNSUPPORTED", testMissing);
+    vk("agaaVkGetDeviceCaps/AGAA_ERROR_UNSUPPORTED", testMissingFunctions);
     vk("agaaVkGetDeviceCaps/AGAA_ERROR_DEVICE", [](Test& test) {
         testFailures(test, {VK_ERROR_DEVICE_LOST, VK_ERROR_INITIALIZATION_FAILED, VK_ERROR_UNKNOWN}, AGAA_ERROR_DEVICE);
     });
