@@ -202,7 +202,7 @@ protected:
     static void TearDownTestSuite() { glslang::FinalizeProcess(); }
 };
 
-std::string hostShader(const Plan& plan, const Pass& pass, const HostDialect& dialect, bool masked) {
+std::string mixedSamplesShader(const Plan& plan, const Pass& pass, const HostDialect& dialect, bool masked) {
     return "#version " + std::to_string(dialect.glslVersion) + "\n" + hostExtensions(plan, pass, dialect) +
            "#define AGAA_ALPHA_MASKED " + (masked ? "1\n" : "0\n") + hostDeclarations(plan, pass, dialect) + R"(
 layout(location = 0) in vec3 position;
@@ -237,7 +237,7 @@ TEST_F(MixedSamplesShaders, TheHostsShaderIsValidSpirvThatOverridesTheCoverage) 
     forEveryView([&](const Plan& plan) {
         const Pass& pass = passNamed(plan, "generate aggregates");
         const bool masked = ++visited & 1;
-        const auto [words, errors] = spirvOf(EShLangFragment, hostShader(plan, pass, HostDialect{}, masked));
+        const auto [words, errors] = spirvOf(EShLangFragment, mixedSamplesShader(plan, pass, HostDialect{}, masked));
         ASSERT_EQ(errors, "") << plan.view.samples << ' ' << plan.view.aggregates;
         EXPECT_EQ(validate(words), "");
         const std::string text = disassemble(words);
@@ -274,7 +274,7 @@ TEST_F(MixedSamplesShaders, TheHostsShaderCompilesForOpenGl) {
         HostDialect dialect;
         dialect.openGl = true;
         dialect.hostOutputs = hostOutputs;
-        const std::string text = hostShader(plan, passNamed(plan, "generate aggregates"), dialect, false);
+        const std::string text = mixedSamplesShader(plan, passNamed(plan, "generate aggregates"), dialect, false);
         glslang::TShader shader(EShLangFragment);
         const char* source = text.c_str();
         shader.setStrings(&source, 1);

@@ -66,7 +66,7 @@ void testSurfacesNull(Test& test) {
 }
 
 // A null pointer and a device with every feature give the same result.
-void testCapsNull(Test& test) {
+void testMemoryOfNullCaps(Test& test) {
     for (const char* technique :
          {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "sgbc", "adaptive"}) {
         ViewParts parts(test.sdk, nullptr);
@@ -279,8 +279,8 @@ void addMemoryCases(Suite& suite) {
     suite.core("agaaQueryMemory/outReport.null", testMemoryNulls);
     suite.core("agaaQueryMemory/surfaceCount.null", testMemoryNulls);
     suite.core("agaaQueryMemory/surfaces.null", testSurfacesNull);
-    suite.core("agaaQueryMemory/caps.null", testCapsNull);
-    suite.core("agaaQueryTarget/caps.null", testCapsNull);
+    suite.core("agaaQueryMemory/caps.null", testMemoryOfNullCaps);
+    suite.core("agaaQueryTarget/caps.null", testMemoryOfNullCaps);
     suite.core("agaaQueryMemory/outReport.unchanged", testReportUnchanged);
     suite.core("agaaQueryMemory/AGAA_ERROR_STRUCT", testMemoryStruct);
     suite.core("agaaQueryMemory/AGAA_ERROR_BUFFER_TOO_SMALL", testMemoryTooSmall);

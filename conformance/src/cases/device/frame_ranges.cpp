@@ -82,7 +82,7 @@ void testPerspective(Test& test) {
         {"", "AgaaFrame::projection[15] of a perspective", "AgaaFrame::projection", with(15), {}, notNumbers({1, -1})});
 }
 
-void testView(Test& test) {
+void testViewMatrix(Test& test) {
     MemberRig rig(test);
     FrameMember row{"", "", "AgaaFrame::view", {}, {}, {}};
     for (int i = 0; i < 16; ++i) {
@@ -193,7 +193,7 @@ void addColors(Suite& suite) {
 void addFrameRangeCases(Suite& suite) {
     suite.both("AgaaFrame.projection/range", testProjection);
     suite.both("AgaaFrame.projection/range/perspective", testPerspective);
-    suite.both("AgaaFrame.view/range", testView);
+    suite.both("AgaaFrame.view/range", testViewMatrix);
     addColors(suite);
     addExposure(suite);
 }

@@ -9,7 +9,7 @@ namespace agaa::conformance {
 
 namespace {
 
-GLint integer(GLenum name) {
+GLint stateInteger(GLenum name) {
     GLint value = 0;
     glGetIntegerv(name, &value);
     return value;
@@ -43,14 +43,14 @@ void bindBuffers() {
                                                 {GL_ATOMIC_COUNTER_BUFFER, GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS},
                                                 {GL_TRANSFORM_FEEDBACK_BUFFER, GL_MAX_TRANSFORM_FEEDBACK_BUFFERS}};
     for (const auto& [target, limit] : points) {
-        for (GLint i = 0; i < integer(limit); ++i)
+        for (GLint i = 0; i < stateInteger(limit); ++i)
             glBindBufferRange(target, GLuint(i), buffer(), 256, 512);
         glBindBuffer(target, buffer());
     }
 }
 
 void bindTextures() {
-    const GLint units = std::min(integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS), 64);
+    const GLint units = std::min(stateInteger(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS), 64);
     for (GLint i = 0; i < units; ++i) {
         for (const GLenum target :
              {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_1D_ARRAY, GL_TEXTURE_2D_ARRAY,
@@ -64,7 +64,7 @@ void bindTextures() {
         glCreateSamplers(1, &sampler);
         glBindSampler(GLuint(i), sampler);
     }
-    for (GLint i = 0; i < integer(GL_MAX_IMAGE_UNITS); ++i) {
+    for (GLint i = 0; i < stateInteger(GL_MAX_IMAGE_UNITS); ++i) {
         GLuint name = 0;
         glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
         glTextureStorage3D(name, 2, GL_R32UI, 4, 4, 3);
@@ -127,7 +127,7 @@ void setFragments() {
     glSampleCoverage(0.5f, GL_TRUE);
     glSampleMaski(0, 0x5A);
     glMinSampleShading(0.75f);
-    for (GLint i = 0; i < integer(GL_MAX_DRAW_BUFFERS); ++i) {
+    for (GLint i = 0; i < stateInteger(GL_MAX_DRAW_BUFFERS); ++i) {
         glColorMaski(GLuint(i), i % 2 == 0, GL_FALSE, i % 3 == 0, GL_TRUE);
         glBlendFuncSeparatei(GLuint(i), GL_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_COLOR);
         glBlendEquationSeparatei(GLuint(i), GL_FUNC_SUBTRACT, GL_MAX);
@@ -136,7 +136,7 @@ void setFragments() {
 }
 
 void setRasteriser() {
-    for (GLint i = 0; i < integer(GL_MAX_VIEWPORTS); ++i) {
+    for (GLint i = 0; i < stateInteger(GL_MAX_VIEWPORTS); ++i) {
         glViewportIndexedf(GLuint(i), float(i), float(i + 1), float(i + 2), float(i + 3));
         glScissorIndexed(GLuint(i), i + 1, i + 2, i + 3, i + 4);
         glDepthRangeIndexed(GLuint(i), 0.25, 0.5);

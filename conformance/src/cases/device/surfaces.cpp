@@ -23,7 +23,7 @@ struct Native {
 
 Backend other(Backend backend) { return backend == Backend::Vulkan ? Backend::OpenGl : Backend::Vulkan; }
 
-struct Arguments {
+struct SurfaceArguments {
     AgaaView view = nullptr;
     const char* name = "depth";
     AgaaSurface surface = AGAA_SURFACE_INIT;
@@ -32,45 +32,47 @@ struct Arguments {
     AgaaStructHeader unknown = {farStructType, sizeof(AgaaStructHeader), nullptr};
 };
 
-struct WrongCall {
+struct WrongSurfaceCall {
     std::string what;
     AgaaResult code;
-    std::function<void(Arguments&, Backend)> corrupt;
+    std::function<void(SurfaceArguments&, Backend)> corrupt;
 };
 
-const std::vector<WrongCall>& wrongCalls() {
-    static const std::vector<WrongCall> calls = {
-        {"a null view", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.view = nullptr; }},
-        {"a null name", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.name = nullptr; }},
-        {"a null surface", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.out = nullptr; }},
-        {"an unknown name", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.name = "no such surface"; }},
-        {"an empty name", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.name = ""; }},
-        {"a name of other case", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.name = "Depth"; }},
+const std::vector<WrongSurfaceCall>& wrongSurfaceCalls() {
+    static const std::vector<WrongSurfaceCall> calls = {
+        {"a null view", AGAA_ERROR_INVALID_ARGUMENT, [](SurfaceArguments& a, Backend) { a.view = nullptr; }},
+        {"a null name", AGAA_ERROR_INVALID_ARGUMENT, [](SurfaceArguments& a, Backend) { a.name = nullptr; }},
+        {"a null surface", AGAA_ERROR_INVALID_ARGUMENT, [](SurfaceArguments& a, Backend) { a.out = nullptr; }},
+        {"an unknown name", AGAA_ERROR_INVALID_ARGUMENT,
+         [](SurfaceArguments& a, Backend) { a.name = "no such surface"; }},
+        {"an empty name", AGAA_ERROR_INVALID_ARGUMENT, [](SurfaceArguments& a, Backend) { a.name = ""; }},
+        {"a name of other case", AGAA_ERROR_INVALID_ARGUMENT, [](SurfaceArguments& a, Backend) { a.name = "Depth"; }},
         {"a surface of another type", AGAA_ERROR_STRUCT,
-         [](Arguments& a, Backend) { a.surface.sType = AGAA_STRUCTURE_TYPE_TARGET; }},
-        {"a surface of structSize 8", AGAA_ERROR_STRUCT, [](Arguments& a, Backend) { a.surface.structSize = 8; }},
+         [](SurfaceArguments& a, Backend) { a.surface.sType = AGAA_STRUCTURE_TYPE_TARGET; }},
+        {"a surface of structSize 8", AGAA_ERROR_STRUCT,
+         [](SurfaceArguments& a, Backend) { a.surface.structSize = 8; }},
         {"a chained struct of structSize 8", AGAA_ERROR_STRUCT,
-         [](Arguments& a, Backend backend) {
+         [](SurfaceArguments& a, Backend backend) {
              a.native.vk.structSize = a.native.gl.structSize = 8;
              a.surface.pNext = a.native.of(backend);
          }},
         {"the struct of the other API chained", AGAA_ERROR_UNKNOWN_STRUCT,
-         [](Arguments& a, Backend backend) { a.surface.pNext = a.native.of(other(backend)); }},
+         [](SurfaceArguments& a, Backend backend) { a.surface.pNext = a.native.of(other(backend)); }},
         {"an unknown struct chained", AGAA_ERROR_UNKNOWN_STRUCT,
-         [](Arguments& a, Backend) { a.surface.pNext = &a.unknown; }}};
+         [](SurfaceArguments& a, Backend) { a.surface.pNext = &a.unknown; }}};
     return calls;
 }
 
 // Runs the calls that fail with `code`; AGAA_OK selects all calls.
-void testCalls(Test& test, AgaaResult code) {
+void testSurfaceCalls(Test& test, AgaaResult code) {
     ScopedContext context(test);
     const ViewDescription description(&test.device());
     const BareView view(test, context.get(), description);
     const Backend backend = test.device().backend();
-    for (const WrongCall& call : wrongCalls()) {
+    for (const WrongSurfaceCall& call : wrongSurfaceCalls()) {
         if (code != AGAA_OK && call.code != code)
             continue;
-        Arguments a;
+        SurfaceArguments a;
         a.view = view.get();
         call.corrupt(a, backend);
         AgaaSurface before;
@@ -174,11 +176,11 @@ void testReservedOfSurfaces(Test& test) {
 
 void addSurfaceCases(Suite& suite) {
     suite.both("agaaGetSurface/AGAA_ERROR_INVALID_ARGUMENT",
-               [](Test& test) { testCalls(test, AGAA_ERROR_INVALID_ARGUMENT); });
-    suite.both("agaaGetSurface/AGAA_ERROR_STRUCT", [](Test& test) { testCalls(test, AGAA_ERROR_STRUCT); });
+               [](Test& test) { testSurfaceCalls(test, AGAA_ERROR_INVALID_ARGUMENT); });
+    suite.both("agaaGetSurface/AGAA_ERROR_STRUCT", [](Test& test) { testSurfaceCalls(test, AGAA_ERROR_STRUCT); });
     suite.both("agaaGetSurface/AGAA_ERROR_UNKNOWN_STRUCT",
-               [](Test& test) { testCalls(test, AGAA_ERROR_UNKNOWN_STRUCT); });
-    suite.both("agaaGetSurface/outSurface.unchanged", [](Test& test) { testCalls(test, AGAA_OK); });
+               [](Test& test) { testSurfaceCalls(test, AGAA_ERROR_UNKNOWN_STRUCT); });
+    suite.both("agaaGetSurface/outSurface.unchanged", [](Test& test) { testSurfaceCalls(test, AGAA_OK); });
     suite.add("AgaaGlSurface.reserved/zero", {Backend::OpenGl}, testReservedOfSurfaces);
     suite.both("general/surfaces_are_as_predicted", testPredicted);
     suite.both("general/surfaces_have_handles", testHandles);

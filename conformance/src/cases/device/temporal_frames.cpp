@@ -38,7 +38,7 @@ struct TemporalRig : Rig {
     AgaaTemporalFrame valid;
 };
 
-void testMissing(Test& test) {
+void testMissingStruct(Test& test) {
     TemporalRig rig(test);
     AgaaFrame frame = rig.nextFrame();
     frame.pNext = nullptr;
@@ -48,7 +48,7 @@ void testMissing(Test& test) {
         rig.expected);
 }
 
-void testReserved(Test& test) {
+void testReservedOfTemporalFrames(Test& test) {
     TemporalRig rig(test);
     AgaaTemporalFrame temporal = rig.valid;
     rig.accept(temporal, "an AgaaTemporalFrame");
@@ -107,8 +107,8 @@ void testMatrices(Test& test) {
 } // namespace
 
 void addTemporalFrameCases(Suite& suite) {
-    suite.both("AgaaTemporalFrame/AGAA_ERROR_INVALID_ARGUMENT", testMissing);
-    suite.both("AgaaTemporalFrame.reserved/zero", testReserved);
+    suite.both("AgaaTemporalFrame/AGAA_ERROR_INVALID_ARGUMENT", testMissingStruct);
+    suite.both("AgaaTemporalFrame.reserved/zero", testReservedOfTemporalFrames);
     suite.both("AgaaTemporalFrame.jitter/range", testJitter);
     suite.both("AgaaTemporalFrame.toPreviousView/range", testMatrices);
 }
