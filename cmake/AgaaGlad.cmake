@@ -24,4 +24,7 @@ if(NOT AGAA_GENERATED)
 endif()
 add_library(agaa_glad STATIC ${glad_folder}/src/gl.c ${glad_folder}/include/glad/gl.h)
 target_include_directories(agaa_glad SYSTEM PUBLIC ${glad_folder}/include)
+# Engines that link the static library may have a loader of their own with the same function names and other tables.
+target_compile_definitions(agaa_glad PUBLIC gladLoadGLContext=agaa_gladLoadGLContext
+                                            gladLoadGLContextUserPtr=agaa_gladLoadGLContextUserPtr)
 target_compile_options(agaa_glad PRIVATE -w)

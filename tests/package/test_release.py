@@ -69,6 +69,11 @@ class Archive(unittest.TestCase):
     def test_recipes_have_the_version_of_the_headers(self):
         self.assertIn(f'"version": "{VERSION}"', (ROOT / "packaging" / "vcpkg" / "agaa" / "vcpkg.json").read_text())
 
+    def test_options_without_sources_are_refused(self):
+        for option in ("SAMPLES", "TESTS", "BENCHMARK"):
+            with self.assertRaisesRegex(AssertionError, f"AGAA_{option} is on, but these sources"):
+                run(CMAKE, "-S", ROOT, "-B", fresh("refused"), "-G", "Ninja", f"-DAGAA_{option}=ON")
+
     def test_a_folder_without_generated_files_is_refused(self):
         empty = FOLDER / "empty"
         empty.mkdir(exist_ok=True)
@@ -96,7 +101,10 @@ class VcpkgPort(unittest.TestCase):
         run(CMAKE, f"-DPORT={ROOT / 'packaging' / 'vcpkg' / 'agaa'}", f"-DPREFIX={prefix}", "-DLINKAGE=static",
             f"-DOPTIONS={';'.join(QUICK)};-DCMAKE_INSTALL_LIBDIR=lib", "-P", TESTS / "recipes" / "run_port.cmake")
         self.assertTrue((prefix / "share" / "agaa" / "copyright").is_file())
-        self.assertTrue((prefix / "lib" / "libagaa.a").is_file())
+        # The names of another loader in the host's program would be taken for the library's.
+        symbols = run("nm", "--extern-only", "--defined-only", prefix / "lib" / "libagaa.a")
+        self.assertIn(" T agaaGlCreateContext", symbols)
+        self.assertNotRegex(symbols, r"(?m) [TDBR] glad")
         self.assertFalse(list(prefix.rglob("*.so*")))
         for language in ("c", "cpp"):
             consumer = fresh(f"vcpkg-consumer-{language}")
