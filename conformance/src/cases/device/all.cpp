@@ -39,6 +39,7 @@ Suite makeSuite() {
     addFrameCallbackCases(suite);
     addDiscardedFrameCases(suite);
     addLossCases(suite);
+    addObjectNameCases(suite);
     addDriverBreadthCases(suite);
     addFrameFaultCases(suite);
     addFrameCountCases(suite);

@@ -24,9 +24,20 @@ bool failsNow(const char* function, VkResult& error) {
     return VulkanInterposer::current && VulkanInterposer::current->fails(function, error);
 }
 
-void countNow(const char* kind, int64_t difference) {
+template <class Handle> void createdNow(const char* kind, Handle handle) {
     if (VulkanInterposer::current)
-        VulkanInterposer::current->count(kind, difference);
+        VulkanInterposer::current->addObject(kind, (uint64_t)handle);
+}
+template <class Handle> void destroyedNow(const char* kind, Handle handle) {
+    if (VulkanInterposer::current)
+        VulkanInterposer::current->removeObject(kind, (uint64_t)handle);
+}
+
+PFN_vkSetDebugUtilsObjectNameEXT realName = nullptr; // null: the instance has no VK_EXT_debug_utils
+VKAPI_ATTR VkResult VKAPI_CALL setName(VkDevice device, const VkDebugUtilsObjectNameInfoEXT* info) {
+    if (VulkanInterposer::current)
+        VulkanInterposer::current->nameObject(info->objectHandle, info->pObjectName);
+    return realName ? realName(device, info) : VK_SUCCESS;
 }
 
 template <Function id, class F> struct Result;
@@ -112,11 +123,12 @@ template <Function id, class Info, class Handle> struct Create {
             return error;
         Info plain{};
         const VkResult result = real(device, withoutLocations(info, plain), callbacks, out);
-        countNow(kind, result == VK_SUCCESS);
+        if (result == VK_SUCCESS)
+            createdNow(kind, *out);
         return result;
     }
     static VKAPI_ATTR void VKAPI_CALL destroy(VkDevice device, Handle handle, const VkAllocationCallbacks* callbacks) {
-        countNow(kind, handle ? -1 : 0);
+        destroyedNow(kind, handle);
         realDestroy(device, handle, callbacks);
     }
 };
@@ -140,7 +152,7 @@ template <class Info> struct CreatePipelines {
             VulkanInterposer::current->addPipelineCache(cache);
         const VkResult result = real(device, cache, count, infos, callbacks, out);
         for (uint32_t i = 0; i < count; ++i)
-            countNow("Pipeline", out[i] ? 1 : 0);
+            createdNow("Pipeline", out[i]);
         return result;
     }
 };
@@ -151,7 +163,7 @@ using CreateGraphics = CreatePipelines<VkGraphicsPipelineCreateInfo>;
 PFN_vkDestroyPipeline realDestroyPipeline = nullptr;
 VKAPI_ATTR void VKAPI_CALL destroyPipeline(VkDevice device, VkPipeline pipeline,
                                            const VkAllocationCallbacks* callbacks) {
-    countNow("Pipeline", pipeline ? -1 : 0);
+    destroyedNow("Pipeline", pipeline);
     realDestroyPipeline(device, pipeline, callbacks);
 }
 
@@ -281,6 +293,8 @@ PFN_vkVoidFunction interpose(const std::string& name, PFN_vkVoidFunction found) 
         return reinterpret_cast<PFN_vkVoidFunction>(mixedSamples);
     if (name == "vkCmdSetSampleLocationsEXT" && fakesLocations())
         return reinterpret_cast<PFN_vkVoidFunction>(setLocations);
+    if (name == "vkSetDebugUtilsObjectNameEXT")
+        return replace(realName, found, setName);
     if (!found || (VulkanInterposer::current && VulkanInterposer::current->missing.count(name)))
         return nullptr;
     if (name == "vkCmdPipelineBarrier")
@@ -366,6 +380,28 @@ bool VulkanInterposer::fails(const char* function, VkResult& error) {
     mustFail(function);
     error = VkResult(error_);
     return failed_ == function;
+}
+
+void VulkanInterposer::addObject(const char* kind, uint64_t handle) {
+    if (!handle)
+        return;
+    count(kind, 1);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    kinds[handle] = kind;
+}
+
+void VulkanInterposer::removeObject(const char* kind, uint64_t handle) {
+    if (!handle)
+        return;
+    count(kind, -1);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    kinds.erase(handle);
+    names.erase(handle);
+}
+
+void VulkanInterposer::nameObject(uint64_t handle, const char* name) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    names[handle] = name;
 }
 
 void VulkanInterposer::addPipelineCache(VkPipelineCache cache) {

@@ -25,6 +25,9 @@ public:
     // The cache argument of each call of vkCreateComputePipelines and vkCreateGraphicsPipelines, in call order.
     std::vector<VkPipelineCache> pipelineCaches;
 
+    // Live objects by handle: their kinds, and the names that the SDK gave them.
+    std::map<uint64_t, std::string> kinds, names;
+
     // Change the properties of the device. Null changes nothing.
     std::function<void(VkPhysicalDeviceProperties&)> changeProperties;
     std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // called for each queue family
@@ -52,6 +55,9 @@ public:
     static VulkanInterposer* current;
     bool fails(const char* function, VkResult& error);
     void addPipelineCache(VkPipelineCache cache);
+    void addObject(const char* kind, uint64_t handle); // null is no object
+    void removeObject(const char* kind, uint64_t handle);
+    void nameObject(uint64_t handle, const char* name);
 };
 
 } // namespace agaa::conformance
