@@ -66,6 +66,7 @@ namespace AgaaSdk
         AGAA_STRUCTURE_TYPE_TEMPORAL_FRAME = 31,
         AGAA_STRUCTURE_TYPE_SHADING_FUNCTION = 32,
         AGAA_STRUCTURE_TYPE_RESOLVED_OUTPUTS = 33,
+        AGAA_STRUCTURE_TYPE_BREADCRUMBS = 34,
         AGAA_STRUCTURE_TYPE_VK_REQUIREMENTS = 1000,
         AGAA_STRUCTURE_TYPE_VK_DEVICE_DESC = 1001,
         AGAA_STRUCTURE_TYPE_VK_FRAME = 1002,
@@ -1243,6 +1244,34 @@ namespace AgaaSdk
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct AgaaBreadcrumb
+    {
+        public fixed byte name[48];
+        public ulong frameIndex;
+        public uint pass;
+        public uint repetition;
+        public fixed ulong reserved[1];
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct AgaaBreadcrumbs
+    {
+        public uint sType;
+        public uint structSize;
+        public void* pNext;
+        public AgaaBreadcrumb begun;
+        public AgaaBreadcrumb ended;
+
+        /// <summary>Returns the struct with its defaults.</summary>
+        public static AgaaBreadcrumbs Init()
+        {
+            AgaaBreadcrumbs value = default(AgaaBreadcrumbs);
+            Agaa.agaaInitBreadcrumbs(&value, (UIntPtr)sizeof(AgaaBreadcrumbs));
+            return value;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public unsafe struct AgaaInvalidPixel
     {
         public uint x;
@@ -1896,6 +1925,7 @@ namespace AgaaSdk
         public const ulong AGAA_CONFIG_FINE_MATERIALS = 32;
         public const ulong AGAA_CONFIG_ACCUMULATE = 128;
         public const ulong AGAA_CONFIG_HDR_RESOLVE = 256;
+        public const ulong AGAA_CONFIG_BREADCRUMBS = 512;
         public const ulong AGAA_CONFIG_CHECK_FACTS = 64;
         public const ulong AGAA_COVERAGE_EXACT = 1;
         public const ulong AGAA_COVERAGE_DRAW_ORDER = 2;
@@ -2181,6 +2211,12 @@ namespace AgaaSdk
             AgaaView view,
             ulong completedFrame,
             AgaaFrameStatistics* outStatistics);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern void agaaInitBreadcrumbs(AgaaBreadcrumbs* outBreadcrumbs, UIntPtr structSize);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern AgaaResultCode agaaGetBreadcrumbs(AgaaView view, AgaaBreadcrumbs* outBreadcrumbs);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void agaaInitFrameValidation(AgaaFrameValidation* outValidation, UIntPtr structSize);

@@ -208,6 +208,11 @@ typedef enum AgaaTier {
  * sample do not change. Hosts that shade aggregates themselves weigh them themselves. */
 #define AGAA_CONFIG_HDR_RESOLVE UINT64_C(0x100)
 
+/* Record which pass the device began last and which it ended last (agaaGetBreadcrumbs), to find the pass that hangs or
+ * loses the device. Passes then do not overlap on the device. OpenGL needs version 4.4 or GL_ARB_buffer_storage;
+ * without both a view fails with AGAA_ERROR_UNSUPPORTED. */
+#define AGAA_CONFIG_BREADCRUMBS UINT64_C(0x200)
+
 /* Compare each material with AgaaSceneFacts (agaaGetFactReport). Implies AGAA_CONFIG_COUNTERS. */
 #define AGAA_CONFIG_CHECK_FACTS UINT64_C(0x40)
 

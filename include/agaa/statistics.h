@@ -127,6 +127,47 @@ AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatisti
 AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
                                                      AgaaFrameStatistics* outStatistics);
 
+/* ---- breadcrumbs ---------------------------------------------------------------------------- */
+
+/* A pass of a frame on the device. */
+typedef struct AgaaBreadcrumb {
+    char name[48];        /* as in AgaaPassTime; empty: the device has reached no pass */
+    uint64_t frameIndex;  /* AgaaFrame::frameIndex */
+    uint32_t pass;        /* index into AgaaFrameStatistics::passes */
+    uint32_t repetition;  /* of a pass that is repeated, from 0 */
+    uint64_t reserved[1]; /* 0 */
+} AgaaBreadcrumb;
+
+/* The passes that the device reached since the view was created or resized. */
+typedef struct AgaaBreadcrumbs {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;    /* null */
+    AgaaBreadcrumb begun; /* the pass that began last */
+    AgaaBreadcrumb ended; /* the pass that ended last */
+} AgaaBreadcrumbs;
+#define AGAA_BREADCRUMBS_INIT                                                                                          \
+    {                                                                                                                  \
+        AGAA_STRUCTURE_TYPE_BREADCRUMBS, (uint32_t)sizeof(AgaaBreadcrumbs), NULL, {{0}, 0, 0, 0, {0}}, {               \
+            {0}, 0, 0, 0, { 0 }                                                                                        \
+        }                                                                                                              \
+    }
+AGAA_API void AGAA_CALL agaaInitBreadcrumbs(AgaaBreadcrumbs* outBreadcrumbs, size_t structSize);
+
+/* Reads which pass of the view the device began last, and which it ended last. Call it when the device is lost or does
+ * not finish a frame: if both differ, the device is or was in the pass that began. It reads memory of the CPU and calls
+ * nothing of the graphics API. After a loss the memory may lack the newest writes of the device.
+ *
+ * outBreadcrumbs   Initialised; unchanged on failure.
+ *
+ * Returns          AGAA_NOT_READY if the device has begun no pass; outBreadcrumbs is unchanged.
+ * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *                  AGAA_ERROR_STRUCT             outBreadcrumbs is not initialised
+ *                  AGAA_ERROR_WRONG_ORDER        the view has no AGAA_CONFIG_BREADCRUMBS
+ * Threads          One call at a time per context.
+ * OpenGL           The context need not be current. */
+AGAA_API AgaaResult AGAA_CALL agaaGetBreadcrumbs(AgaaView view, AgaaBreadcrumbs* outBreadcrumbs);
+
 /* ---- validation ----------------------------------------------------------------------------- */
 
 typedef struct AgaaInvalidPixel {

@@ -218,6 +218,11 @@ void View::dispatch(const Dispatch& dispatch, FrameExtent extent, uint32_t slot)
     gl.DispatchCompute(x, y, 1);
 }
 
+void View::writeBreadcrumb(uint64_t offset, const Breadcrumb& crumb) const {
+    context.gl.ClearNamedBufferSubData(resources->buffer(plan.breadcrumbs, 0), GL_RGBA32UI, GLintptr(offset),
+                                       sizeof crumb, GL_RGBA_INTEGER, GL_UNSIGNED_INT, &crumb);
+}
+
 void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, size_t number,
                    uint32_t slot, HostState& state) {
     const Step& step = steps[number];
@@ -228,6 +233,9 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         gl.MemoryBarrier(bits);
     // This precedes the pass because the stores of a draw whose callback then fails need barriers too.
     barriers.after(plan, pass);
+    const Breadcrumb crumb{frame.frameIndex, step.pass, step.batch};
+    if (plan.breadcrumbs != noResource)
+        writeBreadcrumb(offsetof(BreadcrumbBuffer, begun), crumb);
     if (clock)
         clock->begin(slot, number);
     switch (pass.kind()) {
@@ -251,6 +259,10 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
     }
     if (clock)
         clock->end(slot, number);
+    if (plan.breadcrumbs == noResource)
+        return;
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS); // the pass ends before the write
+    writeBreadcrumb(offsetof(BreadcrumbBuffer, ended), crumb);
 }
 
 namespace {

@@ -31,6 +31,8 @@ ViewResources::ViewResources(const Context& context, const Plan& plan) : context
                 continue;
             if (resource.kind == ResourceKind::Image)
                 createTexture(resource, resources_[id]);
+            else if (id == plan.breadcrumbs)
+                createMappedBuffer(resource, resources_[id]);
             else
                 createBuffers(resource, texelsOfDraws(context, plan, id), resources_[id]);
             context.checkErrors(("allocating " + resource.name).c_str());
@@ -115,6 +117,21 @@ void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuRe
         gl.TextureBuffer(image, texels, buffer);
         context_.label(GL_TEXTURE, image, "agaa " + resource.name);
     }
+}
+
+void ViewResources::createMappedBuffer(const Resource& resource, GpuResource& out) {
+    const GladGLContext& gl = context_.gl;
+    require(gl.NamedBufferStorage && (gl.VERSION_4_4 || gl.ARB_buffer_storage), AGAA_ERROR_UNSUPPORTED,
+            "AGAA_CONFIG_BREADCRUMBS needs OpenGL 4.4 or GL_ARB_buffer_storage.");
+    constexpr GLbitfield access = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    GLuint& buffer = out.buffers.emplace_back(0u);
+    gl.CreateBuffers(1, &buffer);
+    requireObject(gl, buffer, "glCreateBuffers");
+    const std::vector<std::byte> zeros(resource.bytes);
+    gl.NamedBufferStorage(buffer, GLsizeiptr(resource.bytes), zeros.data(), access);
+    context_.label(GL_BUFFER, buffer, "agaa " + resource.name);
+    out.mapped = static_cast<const std::byte*>(gl.MapNamedBufferRange(buffer, 0, GLsizeiptr(resource.bytes), access));
+    require(out.mapped, AGAA_ERROR_DEVICE, "glMapNamedBufferRange failed.");
 }
 
 GLuint ViewResources::buffer(ResourceId id, uint32_t slot) const { return copyOfSlot(resources_[id].buffers, slot); }

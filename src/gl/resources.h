@@ -4,14 +4,16 @@
 #include "core/plan/plan.h"
 #include "gl/context.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace agaa::gl {
 
 struct GpuResource {
     GLuint texture = 0;
-    std::vector<GLuint> buffers;      // one per copy
-    std::vector<GLuint> bufferImages; // buffer textures of `buffers`, if host draws access them as texels
+    std::vector<GLuint> buffers;       // one per copy
+    std::vector<GLuint> bufferImages;  // buffer textures of `buffers`, if host draws access them as texels
+    const std::byte* mapped = nullptr; // of Plan::breadcrumbs, for reading while the device writes
 };
 
 class ViewResources {
@@ -29,6 +31,7 @@ public:
 
 private:
     void createTexture(const Resource& resource, GpuResource& out);
+    void createMappedBuffer(const Resource& resource, GpuResource& out);
     void createBuffers(const Resource& resource, GLenum texels, GpuResource& out);
     void destroy();
 

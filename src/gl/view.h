@@ -59,10 +59,13 @@ private:
     void checkResolved(const AgaaGlFrame& glFrame, uint64_t right, uint64_t top);
     std::byte* beginUpload(ResourceId buffer, uint32_t slot) override;
     void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) override;
+    const std::byte* mappedBreadcrumbs() const override { return (*resources)[plan.breadcrumbs].mapped; }
     void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
     bool isFinished(const Step& step, uint32_t slot) const;
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,
                    HostState& state);
+    // Writes a member of BreadcrumbBuffer.
+    void writeBreadcrumb(uint64_t offset, const Breadcrumb& crumb) const;
     void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, size_t number,
                  uint32_t slot, HostState& state);
     void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,

@@ -34,6 +34,7 @@ namespace agaa::vk {
     X(CmdFillBuffer)                                                                                                   \
     X(CmdPipelineBarrier)                                                                                              \
     X(CmdResetQueryPool)                                                                                               \
+    X(CmdUpdateBuffer)                                                                                                 \
     X(CmdWriteTimestamp)                                                                                               \
     X(CreateBuffer)                                                                                                    \
     X(CreateCommandPool)                                                                                               \

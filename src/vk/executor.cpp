@@ -164,6 +164,15 @@ void View::recordTransfer(const Pass& pass, uint64_t frameIndex, uint32_t slot, 
                                   0, nullptr, 0, nullptr);
 }
 
+// The host reads the memory also if the device never gets farther, so the write becomes visible at once.
+void View::recordBreadcrumb(uint64_t offset, const Breadcrumb& crumb, VkCommandBuffer commands) const {
+    context.vk.CmdUpdateBuffer(commands, resources->buffer(plan.breadcrumbs, 0), offset, sizeof crumb, &crumb);
+    const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT,
+                                 VK_ACCESS_HOST_READ_BIT};
+    context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &toHost,
+                                  0, nullptr, 0, nullptr);
+}
+
 void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
                       uint32_t slot, VkCommandBuffer commands) {
     const Step& step = steps[number];
@@ -177,6 +186,10 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     }
     StepBarriers& before = barriers[number];
     recordBarriers(vk, commands, before, outputs_);
+    const Breadcrumb crumb{frame.frameIndex, step.pass, step.batch};
+    const bool marks = plan.breadcrumbs != noResource;
+    if (marks)
+        recordBreadcrumb(offsetof(BreadcrumbBuffer, begun), crumb, commands);
     const uint32_t query = uint32_t(2 * (slot * steps.size() + number));
     if (queries)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query);
@@ -204,6 +217,14 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     if (queries)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query + 1);
     releaseOutputs(vk, commands, before, outputs_);
+    if (marks && result == AGAA_OK) {
+        // The pass ends before the write, and the write before those of the next pass.
+        const VkMemoryBarrier passEnds{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_MEMORY_WRITE_BIT,
+                                       VK_ACCESS_TRANSFER_WRITE_BIT};
+        vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 1,
+                              &passEnds, 0, nullptr, 0, nullptr);
+        recordBreadcrumb(offsetof(BreadcrumbBuffer, ended), crumb, commands);
+    }
     if (vk.CmdEndDebugUtilsLabelEXT)
         vk.CmdEndDebugUtilsLabelEXT(commands);
     if (result != AGAA_OK)

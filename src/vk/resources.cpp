@@ -173,7 +173,7 @@ void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<R
         info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
         info.size = resource.bytes;
         info.usage = usageOf(plan, id, bufferUsage, VkBufferUsageFlags(VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
-        if (resource.isPersistent) // cleared before the first frame
+        if (resource.isPersistent || id == plan.breadcrumbs) // cleared before the first frame; written between passes
             info.usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;
         for (const Repeat& repeat : plan.repeats)
             if (repeat.predicateBuffer == id && context_.conditionalRendering)

@@ -15,6 +15,8 @@ std::byte* View::beginUpload(ResourceId buffer, uint32_t slot) { return resource
 // The memory is coherent.
 void View::endUpload(ResourceId, uint32_t, uint64_t) {}
 
+const std::byte* View::mappedBreadcrumbs() const { return resources->mapped(plan.breadcrumbs, 0); }
+
 void View::readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const {
     std::memcpy(data.data(), resources->mapped(buffer, slot) + offset, data.size());
 }

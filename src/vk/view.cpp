@@ -8,6 +8,7 @@
 #include "core/plan/planner.h"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 
 namespace agaa::vk {
@@ -22,6 +23,8 @@ View::View(Context& device, Plan framePlan) : ViewState(device, std::move(frameP
             context.checkTargets(plan, pass);
     try {
         resources.emplace(context, plan);
+        if (plan.breadcrumbs != noResource)
+            std::memset(resources->mapped(plan.breadcrumbs, 0), 0, sizeof(BreadcrumbBuffer));
         hostPasses = makeHostPasses(plan, context.dialect);
         for (const HostPass& pass : hostPasses)
             if (!pass.functionCheck.empty())

@@ -62,6 +62,7 @@ private:
     void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame); // sets outputs_
     std::byte* beginUpload(ResourceId buffer, uint32_t slot) override;
     void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) override;
+    const std::byte* mappedBreadcrumbs() const override;
     void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
                       bool begins);
@@ -73,6 +74,8 @@ private:
     void endCondition(const Step& step, VkCommandBuffer commands) const;
     AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
     void recordSecondaries(const AgaaFrame& frame, uint32_t slot);
+    // Writes a member of BreadcrumbBuffer.
+    void recordBreadcrumb(uint64_t offset, const Breadcrumb& crumb, VkCommandBuffer commands) const;
     // number: index of the step.
     void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
                     uint32_t slot, VkCommandBuffer commands);

@@ -40,6 +40,8 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaTarget, 48);
     EXPECT_SIZE(AgaaPrice, 408);
     EXPECT_SIZE(AgaaFactReport, 656);
+    EXPECT_SIZE(AgaaBreadcrumb, 72);
+    EXPECT_SIZE(AgaaBreadcrumbs, 160);
     EXPECT_SIZE(AgaaFrameStatistics, 2912);
     EXPECT_SIZE(AgaaFrameValidation, 1120);
     EXPECT_SIZE(AgaaMeasuredSettings, 72);

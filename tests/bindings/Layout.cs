@@ -395,6 +395,18 @@ static unsafe class Layout
         Consumer.CheckOffset<AgaaFrameStatistics>("compileMilliseconds", 2896);
         Consumer.CheckOffset<AgaaFrameStatistics>("compiledPipelines", 2904);
         Consumer.CheckOffset<AgaaFrameStatistics>("cachedPipelines", 2908);
+        Consumer.CheckSize<AgaaBreadcrumb>(sizeof(AgaaBreadcrumb), 72);
+        Consumer.CheckOffset<AgaaBreadcrumb>("name", 0);
+        Consumer.CheckOffset<AgaaBreadcrumb>("frameIndex", 48);
+        Consumer.CheckOffset<AgaaBreadcrumb>("pass", 56);
+        Consumer.CheckOffset<AgaaBreadcrumb>("repetition", 60);
+        Consumer.CheckOffset<AgaaBreadcrumb>("reserved", 64);
+        Consumer.CheckSize<AgaaBreadcrumbs>(sizeof(AgaaBreadcrumbs), 160);
+        Consumer.CheckOffset<AgaaBreadcrumbs>("sType", 0);
+        Consumer.CheckOffset<AgaaBreadcrumbs>("structSize", 4);
+        Consumer.CheckOffset<AgaaBreadcrumbs>("pNext", 8);
+        Consumer.CheckOffset<AgaaBreadcrumbs>("begun", 16);
+        Consumer.CheckOffset<AgaaBreadcrumbs>("ended", 88);
         Consumer.CheckSize<AgaaInvalidPixel>(sizeof(AgaaInvalidPixel), 64);
         Consumer.CheckOffset<AgaaInvalidPixel>("x", 0);
         Consumer.CheckOffset<AgaaInvalidPixel>("y", 4);

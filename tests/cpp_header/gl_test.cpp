@@ -16,7 +16,7 @@ struct OpenGl : testing::Test {
         egl.gl().BindTexture(GL_TEXTURE_2D, output);
         egl.gl().TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, 32, 32);
         viewDesc.width = viewDesc.height = 32;
-        config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_CHECK_FACTS;
+        config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_CHECK_FACTS | AGAA_CONFIG_BREADCRUMBS;
         facts.maxLights = 2, facts.shadowMapCount = 0;
         viewDesc.config = &config, viewDesc.facts = &facts;
         agaa::bind(device.getProcAddr, device.getProcUser, loader);
@@ -160,6 +160,7 @@ TEST_F(OpenGl, Frames) {
     EXPECT_EQ(agaa::getFrameStatistics(view.get(), 0).code(), AGAA_NOT_READY);
     EXPECT_EQ(agaa::validateFrame(view.get(), 0).code(), AGAA_NOT_READY);
     EXPECT_EQ(agaa::getFactReport(view.get(), 0).code(), AGAA_NOT_READY);
+    EXPECT_EQ(agaa::getBreadcrumbs(view.get()).code(), AGAA_NOT_READY);
     AgaaFrameStatistics statistics = agaa::init<AgaaFrameStatistics>();
     EXPECT_EQ(agaa::getFrameStatistics(view.get(), 0, statistics), AGAA_NOT_READY);
     EXPECT_EQ(statistics.geometryPasses, 2u);
@@ -170,6 +171,7 @@ TEST_F(OpenGl, Frames) {
     EXPECT_EQ(agaa::getFrameStatistics(view.get(), 1)->frameIndex, 1u);
     EXPECT_EQ(agaa::validateFrame(view.get(), 1)->visible, 0u);
     EXPECT_EQ(agaa::getFactReport(view.get(), 1)->lightCount, 2u);
+    EXPECT_EQ(agaa::getBreadcrumbs(view.get())->ended.frameIndex, 1u);
     draw.result = AGAA_ERROR_CALLBACK;
     EXPECT_EQ(record(view.get(), 2, draw), AGAA_ERROR_CALLBACK);
 

@@ -217,6 +217,7 @@ TEST_F(Queries, NullHandles) {
     EXPECT_EQ(agaa::getFrameStatistics(nullptr, 1).code(), AGAA_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(agaa::validateFrame(nullptr, 1).code(), AGAA_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(agaa::getFactReport(nullptr, 1).code(), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaa::getBreadcrumbs(nullptr).code(), AGAA_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(agaa::resizeView(nullptr, 1, 1), AGAA_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(agaa::prepareVariants(nullptr, {}), AGAA_ERROR_INVALID_ARGUMENT);
     const AgaaFrame frame = agaa::init<AgaaFrame>();

@@ -62,7 +62,8 @@ AgaaResult useView(AgaaView view) {
     result |= codeOf(agaa::getSurface(view, "depth")) | codeOf(agaa::getFrameStatistics(view, 1));
     AgaaFrameStatistics statistics = agaa::init<AgaaFrameStatistics>();
     result |= agaa::getFrameStatistics(view, 1, statistics);
-    return result | codeOf(agaa::validateFrame(view, 1)) | codeOf(agaa::getFactReport(view, 1));
+    return result | codeOf(agaa::validateFrame(view, 1)) | codeOf(agaa::getFactReport(view, 1)) |
+           codeOf(agaa::getBreadcrumbs(view));
 }
 
 AgaaFrame makeFrame(Draw& draw) {

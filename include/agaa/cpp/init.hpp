@@ -51,6 +51,7 @@ template <> constexpr AgaaPrice init() noexcept { return AGAA_PRICE_INIT; }
 template <> constexpr AgaaFrameStatistics init() noexcept { return AGAA_FRAME_STATISTICS_INIT; }
 template <> constexpr AgaaFrameValidation init() noexcept { return AGAA_FRAME_VALIDATION_INIT; }
 template <> constexpr AgaaFactReport init() noexcept { return AGAA_FACT_REPORT_INIT; }
+template <> constexpr AgaaBreadcrumbs init() noexcept { return AGAA_BREADCRUMBS_INIT; }
 template <> constexpr AgaaMeasuredSettings init() noexcept { return AGAA_MEASURED_SETTINGS_INIT; }
 template <> constexpr AgaaGoal init() noexcept { return AGAA_GOAL_INIT; }
 template <> constexpr AgaaObservation init() noexcept { return AGAA_OBSERVATION_INIT; }

@@ -56,6 +56,12 @@ namespace agaa {
     return agaaGetFrameStatistics(view, completedFrame, &statistics);
 }
 
+// AGAA_NOT_READY: the device has begun no pass.
+[[nodiscard]] inline Result<AgaaBreadcrumbs> getBreadcrumbs(AgaaView view) noexcept {
+    return detail::filled(init<AgaaBreadcrumbs>(),
+                          [&](AgaaBreadcrumbs* breadcrumbs) { return agaaGetBreadcrumbs(view, breadcrumbs); });
+}
+
 // AGAA_NOT_READY: no frame can be validated yet.
 [[nodiscard]] inline Result<AgaaFrameValidation> validateFrame(AgaaView view, uint64_t completedFrame) noexcept {
     return detail::filled(init<AgaaFrameValidation>(), [&](AgaaFrameValidation* validation) {

@@ -13,6 +13,7 @@
 #include "core/glsl/glsl_text.h"
 #include "core/plan/planner.h"
 #include "core/plan/surfaces.h"
+#include "core/reports/breadcrumbs.h"
 #include "core/reports/frame_statistics.h"
 #include "core/reports/frame_validation.h"
 #include "core/reports/prices.h"
@@ -314,6 +315,16 @@ AgaaResult AGAA_CALL agaaGetFactReport(AgaaView view, uint64_t completedFrame, A
         AgaaFactReport report = readStruct(outReport);
         const AgaaResult result = reportFacts(*view, completedFrame, report);
         writeStruct(outReport, report);
+        return result;
+    });
+}
+
+AgaaResult AGAA_CALL agaaGetBreadcrumbs(AgaaView view, AgaaBreadcrumbs* outBreadcrumbs) {
+    return guarded(logOf(view), "agaaGetBreadcrumbs", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        AgaaBreadcrumbs out = readStruct(outBreadcrumbs);
+        const AgaaResult result = breadcrumbs(*view->current, out);
+        writeStruct(outBreadcrumbs, out);
         return result;
     });
 }

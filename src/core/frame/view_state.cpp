@@ -9,6 +9,7 @@
 #include "shaders/tables/layouts.inc"
 
 #include <algorithm>
+#include <cstring>
 
 namespace agaa {
 
@@ -47,6 +48,12 @@ CounterBuffer ViewState::readCounters(uint32_t slot) const {
     if (plan.view.hasCounters())
         readBuffer(plan.stamps, slot, 0, std::as_writable_bytes(std::span(&counters, 1)));
     return counters;
+}
+
+BreadcrumbBuffer ViewState::readBreadcrumbs() const {
+    BreadcrumbBuffer breadcrumbs{};
+    std::memcpy(&breadcrumbs, mappedBreadcrumbs(), sizeof breadcrumbs);
+    return breadcrumbs;
 }
 
 bool ViewState::wasExecuted(const FrameSequence::Slot& slot) const {

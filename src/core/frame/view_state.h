@@ -48,6 +48,8 @@ public:
     const FrameSequence::Slot* finished(uint64_t completedFrame) const;
     // Returns the counters of the frame in this slot, which must have finished; 0 if the plan has no counters.
     CounterBuffer readCounters(uint32_t slot) const;
+    // Returns the passes that the device reached last, also if it is lost. The plan must have breadcrumbs.
+    BreadcrumbBuffer readBreadcrumbs() const;
     // Returns the milliseconds of each pass of the frame in this slot; empty if they are not measured.
     virtual std::vector<double> readPassTimes(uint32_t slot) const = 0;
     virtual AgaaTimeSource timeSource() const = 0;
@@ -82,6 +84,8 @@ protected:
     virtual std::byte* beginUpload(ResourceId buffer, uint32_t slot) = 0;
     // Ends the upload of this buffer. bytes: the number of bytes that were written, from the beginning.
     virtual void endUpload(ResourceId buffer, uint32_t slot, uint64_t bytes) = 0;
+    // Returns the memory of Plan::breadcrumbs, which the device may be writing.
+    virtual const std::byte* mappedBreadcrumbs() const = 0;
     // Copies the bytes from offset on out of a buffer that the CPU can read.
     virtual void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const = 0;
 

@@ -79,6 +79,16 @@ struct CounterBuffer {
 static_assert(sizeof(CounterBuffer) == 4 * (2 * counterCount + 2 + AGAA_INVALID_PIXEL_WORDS * AGAA_MAX_INVALID_PIXELS));
 static_assert(offsetof(AgaaInvalidPixel, reserved) == sizeof(CounterBuffer::pixels[0]));
 
+// A pass that the device reached.
+struct Breadcrumb {
+    uint64_t frame; // AgaaFrame::frameIndex; 0: no pass
+    uint32_t pass;
+    uint32_t repetition;
+};
+struct BreadcrumbBuffer {
+    Breadcrumb begun, ended;
+};
+
 // Returns the word that marks the statistics of a frame; never 0.
 constexpr uint32_t stampOf(uint64_t frameIndex) { return uint32_t(frameIndex % ~0u) + 1; }
 

@@ -265,6 +265,9 @@ struct Plan {
     // noResource if neither counters, nor times, nor persistent buffers need it.
     ResourceId stamps = noResource;
     uint64_t stampOffset = 0;
+    // The read-back buffer with a BreadcrumbBuffer, which the CPU reads at any time; noResource without
+    // AGAA_CONFIG_BREADCRUMBS.
+    ResourceId breadcrumbs = noResource;
     uint32_t bytesPerAggregate = 0;
     uint64_t fragmentCapacity = 0;      // of the lists of all pixels together
     uint32_t payloadWords = 0;          // of a fragment, in addition to id, next fragment and coverage

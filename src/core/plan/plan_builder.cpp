@@ -400,6 +400,14 @@ void PlanBuilder::stampFrame() {
     fill("stamp frame", AGAA_STAGE_OTHER, plan.stamps, AGAA_SEGMENT_SHADING).fill().stampOffset = 0;
 }
 
+void PlanBuilder::addBreadcrumbs() {
+    if (plan.view.config.flags & AGAA_CONFIG_BREADCRUMBS)
+        plan.breadcrumbs = add({.name = "breadcrumbs",
+                                .kind = ResourceKind::ReadbackBuffer,
+                                .format = Format::Buffer,
+                                .bytes = sizeof(BreadcrumbBuffer)});
+}
+
 void PlanBuilder::findLifetimes() {
     for (Resource& resource : plan.resources) {
         resource.firstPass = ~0u;

@@ -82,6 +82,7 @@ public:
     void bindOutput(Pass& pass, ResourceId image = noResource);
     // Adds the last pass: it lets the CPU read the counters and see that the device executed the frame.
     void copyCounters();
+    void addBreadcrumbs();
     CopyPart& copy(const std::string& name, ResourceId source, ResourceId destination, uint64_t segment);
     // Adds Plan::listCounts, in the segment of the last pass.
     void readListCounts(ResourceId lists);

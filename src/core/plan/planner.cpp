@@ -29,6 +29,7 @@ Plan makePlan(const ViewSettings& settings, const AgaaDeviceCaps& caps, uint32_t
             accumulateFrames(builder);
         resolveOutputs(builder);
         builder.copyCounters();
+        builder.addBreadcrumbs();
     }
     return builder.finish();
 }

@@ -67,7 +67,7 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer, TechniqueTable table) {
     checkFlags(config.flags,
                AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
                    AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS |
-                   AGAA_CONFIG_ACCUMULATE | AGAA_CONFIG_HDR_RESOLVE,
+                   AGAA_CONFIG_ACCUMULATE | AGAA_CONFIG_HDR_RESOLVE | AGAA_CONFIG_BREADCRUMBS,
                "AgaaConfig::flags");
     return config;
 }

@@ -346,6 +346,8 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     ++drawCalls;
     batches.push_back(target.batch);
     states.push_back(target.state);
+    if (beforeDraw)
+        beforeDraw();
     if (const auto result = drawResults.find(target.pass); result != drawResults.end())
         return result->second;
     const AgaaDrawState state = drawState(settings_, target.state, target.pass);

@@ -13,6 +13,7 @@
 #include "../../../src/gl/view.h"
 
 #include <array>
+#include <functional>
 #include <map>
 
 namespace agaa::test {
@@ -90,6 +91,7 @@ public:
     uint32_t drawCalls = 0;
     std::vector<uint32_t> batches;     // of the calls
     std::vector<AgaaDrawState> states; // of the calls
+    std::function<void()> beforeDraw;  // called by each draw callback
 
 private:
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);

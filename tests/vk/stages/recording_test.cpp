@@ -1,8 +1,8 @@
 // The recording of frames by Vulkan: what all graphics APIs share, and what command buffers add.
+#include "dispatch_hook.h"
 #include "recording_cases.h"
 #include "show.h"
 
-#include <cstring>
 #include <set>
 
 namespace agaa::test {
@@ -38,35 +38,9 @@ struct Bench : BenchOf<VulkanHost> {
     }
 };
 
-// A device whose dispatches throw what the library does not.
-bool dispatchThrows = false;
-PFN_vkCmdDispatch realDispatch = nullptr;
-PFN_vkGetDeviceProcAddr realDeviceProcAddr = nullptr;
-
-VKAPI_ATTR void VKAPI_CALL dispatch(VkCommandBuffer commands, uint32_t x, uint32_t y, uint32_t z) {
-    if (dispatchThrows)
-        throw std::runtime_error("from the driver");
-    realDispatch(commands, x, y, z);
-}
-
-VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProcAddr(VkDevice device, const char* name) {
-    const PFN_vkVoidFunction real = realDeviceProcAddr(device, name);
-    if (std::strcmp(name, "vkCmdDispatch") != 0)
-        return real;
-    realDispatch = reinterpret_cast<PFN_vkCmdDispatch>(real);
-    return reinterpret_cast<PFN_vkVoidFunction>(dispatch);
-}
-
-AgaaVkFunction AGAA_CALL procAddr(void* instance, const char* name) {
-    const AgaaVkFunction real = harness::vk::Device::getProcAddr(instance, name);
-    if (std::strcmp(name, "vkGetDeviceProcAddr") != 0)
-        return real;
-    realDeviceProcAddr = reinterpret_cast<PFN_vkGetDeviceProcAddr>(real);
-    return reinterpret_cast<AgaaVkFunction>(deviceProcAddr);
-}
-
+// A dispatch throws what the library does not.
 TEST(VkRecording, AnyFailureAfterTheFirstCommandIsPartial) {
-    Bench bench({.getProcAddr = procAddr});
+    Bench bench({.getProcAddr = DispatchHook::procAddr});
     const std::vector<float> expected = bench.picture();
     AgaaFrame frame = bench.frame();
     frame.segments = AGAA_SEGMENT_PREPASS;
@@ -74,9 +48,9 @@ TEST(VkRecording, AnyFailureAfterTheFirstCommandIsPartial) {
     frame.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
     const VkCommandBuffer commands = sharedDevice().beginCommands();
     const AgaaVkFrame vk = bench.vkFrame(commands);
-    dispatchThrows = true;
+    DispatchHook::before = [](VkCommandBuffer) { throw std::runtime_error("from the driver"); };
     EXPECT_EQ(bench.record(frame, vk), AGAA_ERROR_PARTIAL);
-    dispatchThrows = false;
+    DispatchHook::before = nullptr;
     expectOneSentence(bench.context.lines, AGAA_ERROR_PARTIAL, "unexpected");
     // Earlier segments of the frame have run, so that it cannot go on.
     EXPECT_EQ(bench.record(frame, vk), AGAA_ERROR_WRONG_ORDER);

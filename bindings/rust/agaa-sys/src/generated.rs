@@ -16,6 +16,7 @@ pub const AGAA_CONFIG_BUFFERED: u64 = 16;
 pub const AGAA_CONFIG_FINE_MATERIALS: u64 = 32;
 pub const AGAA_CONFIG_ACCUMULATE: u64 = 128;
 pub const AGAA_CONFIG_HDR_RESOLVE: u64 = 256;
+pub const AGAA_CONFIG_BREADCRUMBS: u64 = 512;
 pub const AGAA_CONFIG_CHECK_FACTS: u64 = 64;
 pub const AGAA_COVERAGE_EXACT: u64 = 1;
 pub const AGAA_COVERAGE_DRAW_ORDER: u64 = 2;
@@ -160,6 +161,7 @@ pub const AGAA_STRUCTURE_TYPE_TEMPORAL: AgaaStructType = 30;
 pub const AGAA_STRUCTURE_TYPE_TEMPORAL_FRAME: AgaaStructType = 31;
 pub const AGAA_STRUCTURE_TYPE_SHADING_FUNCTION: AgaaStructType = 32;
 pub const AGAA_STRUCTURE_TYPE_RESOLVED_OUTPUTS: AgaaStructType = 33;
+pub const AGAA_STRUCTURE_TYPE_BREADCRUMBS: AgaaStructType = 34;
 pub const AGAA_STRUCTURE_TYPE_VK_REQUIREMENTS: AgaaStructType = 1000;
 pub const AGAA_STRUCTURE_TYPE_VK_DEVICE_DESC: AgaaStructType = 1001;
 pub const AGAA_STRUCTURE_TYPE_VK_FRAME: AgaaStructType = 1002;
@@ -934,6 +936,26 @@ pub struct AgaaFrameStatistics {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
+pub struct AgaaBreadcrumb {
+    pub name: [c_char; 48],
+    pub frameIndex: u64,
+    pub pass: u32,
+    pub repetition: u32,
+    pub reserved: [u64; 1],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct AgaaBreadcrumbs {
+    pub sType: u32,
+    pub structSize: u32,
+    pub pNext: *const c_void,
+    pub begun: AgaaBreadcrumb,
+    pub ended: AgaaBreadcrumb,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
 pub struct AgaaInvalidPixel {
     pub x: u32,
     pub y: u32,
@@ -1398,6 +1420,8 @@ defaults!(AgaaTarget, agaaInitTarget);
 zeros!(AgaaCounters);
 zeros!(AgaaPassTime);
 defaults!(AgaaFrameStatistics, agaaInitFrameStatistics);
+zeros!(AgaaBreadcrumb);
+defaults!(AgaaBreadcrumbs, agaaInitBreadcrumbs);
 zeros!(AgaaInvalidPixel);
 defaults!(AgaaFrameValidation, agaaInitFrameValidation);
 defaults!(AgaaFactReport, agaaInitFactReport);
@@ -1534,6 +1558,8 @@ extern "C" {
         completedFrame: u64,
         outStatistics: *mut AgaaFrameStatistics,
     ) -> AgaaResult;
+    pub fn agaaInitBreadcrumbs(outBreadcrumbs: *mut AgaaBreadcrumbs, structSize: usize);
+    pub fn agaaGetBreadcrumbs(view: AgaaView, outBreadcrumbs: *mut AgaaBreadcrumbs) -> AgaaResult;
     pub fn agaaInitFrameValidation(outValidation: *mut AgaaFrameValidation, structSize: usize);
     pub fn agaaValidateFrame(
         view: AgaaView,

@@ -540,6 +540,26 @@ fn layouts_are_those_of_the_description() {
         cachedPipelines: 2908
     );
     layout!(
+        AgaaBreadcrumb,
+        72,
+        8,
+        name: 0,
+        frameIndex: 48,
+        pass: 56,
+        repetition: 60,
+        reserved: 64
+    );
+    layout!(
+        AgaaBreadcrumbs,
+        160,
+        8,
+        sType: 0,
+        structSize: 4,
+        pNext: 8,
+        begun: 16,
+        ended: 88
+    );
+    layout!(
         AgaaInvalidPixel,
         64,
         4,

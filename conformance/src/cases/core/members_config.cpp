@@ -91,7 +91,7 @@ void addConfig(Suite& suite) {
                      [](ViewParts& p, uint64_t flags) { p.config.flags = flags; },
                      AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
                          AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS |
-                         AGAA_CONFIG_ACCUMULATE | AGAA_CONFIG_HDR_RESOLVE,
+                         AGAA_CONFIG_ACCUMULATE | AGAA_CONFIG_HDR_RESOLVE | AGAA_CONFIG_BREADCRUMBS,
                      nullptr});
 }
 

@@ -39,6 +39,7 @@ Suite makeSuite() {
     addFrameCallbackCases(suite);
     addDiscardedFrameCases(suite);
     addLossCases(suite);
+    addBreadcrumbCases(suite);
     addObjectNameCases(suite);
     addDriverBreadthCases(suite);
     addFrameFaultCases(suite);

@@ -37,6 +37,7 @@ void addFrameOrderCases(Suite& suite);
 void addFrameCallbackCases(Suite& suite);
 void addDiscardedFrameCases(Suite& suite);
 void addLossCases(Suite& suite);
+void addBreadcrumbCases(Suite& suite);
 void addObjectNameCases(Suite& suite);
 void addDriverBreadthCases(Suite& suite);
 void addFrameFaultCases(Suite& suite);

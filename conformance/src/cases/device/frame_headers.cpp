@@ -180,13 +180,21 @@ HeaderCase factsCase(Rig& rig) {
     return {"AgaaFactReport", "agaaGetFactReport", nullptr, call, true};
 }
 
+HeaderCase crumbsCase(Rig& rig) {
+    const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
+        return logged(rig, log,
+                      [&] { return rig.test.sdk.agaaGetBreadcrumbs(rig.view.get(), &as<AgaaBreadcrumbs>(structure)); });
+    };
+    return {"AgaaBreadcrumbs", "agaaGetBreadcrumbs", nullptr, call, true};
+}
+
 // "single" has the fewest pipelines.
 void add(Suite& suite, const char* name, const std::vector<Backend>& backends,
          const std::function<HeaderCase(Rig&)>& makeCase, const char* technique = "single") {
     suite.add(std::string(name), backends, [makeCase, technique](Test& test) {
         Rig rig(test, [technique](ViewDescription& d) {
             setTechnique(d, technique, 4);
-            d.config.flags |= AGAA_CONFIG_CHECK_FACTS;
+            d.config.flags |= AGAA_CONFIG_CHECK_FACTS | AGAA_CONFIG_BREADCRUMBS;
         });
         const Image expected = rig.render();
         testHeader(test, makeCase(rig));
@@ -205,6 +213,7 @@ void addFrameHeaderCases(Suite& suite) {
     add(suite, "AgaaFrameStatistics/header", both, statisticsCase);
     add(suite, "AgaaFrameValidation/header", both, validationCase);
     add(suite, "AgaaFactReport/header", both, factsCase);
+    add(suite, "AgaaBreadcrumbs/header", both, crumbsCase);
     add(suite, "AgaaVkFrame/header", vk, [](Rig& rig) { return nativeFrameCase<AgaaVkFrame>(rig, "AgaaVkFrame"); });
     add(suite, "AgaaGlFrame/header", gl, [](Rig& rig) { return nativeFrameCase<AgaaGlFrame>(rig, "AgaaGlFrame"); });
     add(

@@ -15,7 +15,7 @@ void testObjectNames(Test& test) {
             test,
             [&](ViewDescription& description) {
                 setTechnique(description, technique, 4);
-                description.config.flags |= AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS;
+                description.config.flags |= AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_BREADCRUMBS;
             },
             [&](ContextDescription& description) { vulkan.chainTo(description); });
         rig.render();
