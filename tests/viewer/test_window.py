@@ -94,6 +94,17 @@ class Comparison(Case):
         self.assertNotIn(self.pixels(mode="b", compareWith="reference", referenceSamples=4), seen)
 
 
+    def test_the_reference_is_that_of_the_command_line(self):
+        for options in ({}, {"--camera": "0.5,1.25,4,0,0.75,0,50", "--lights": 20}):
+            shown, expected = self.folder / "viewer.png", self.folder / "harness.png"
+            content = state(BACKEND, "hard-stripes", options=options, mode="b", compareWith="reference", referenceSamples=8)
+            result = run(window.VIEWER, "--state", self.write("state.json", content), "--frames", "1", "--screenshot", shown)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            result = run(window.HARNESS, "reference", *words(content["options"]), "--spp", "8", "--png", expected)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(shown.read_bytes(), expected.read_bytes())
+
+
 class Person(Case):
     def test_keys_and_clicks(self):
         viewer = Viewer(self, state(BACKEND, otherOptions={"--technique": "single", "--samples": 1}))
@@ -154,6 +165,20 @@ class Person(Case):
         self.assertEqual(viewer.seen()["error"], "")
         viewer.xdotool("windowsize", viewer.window, "1000", "700")
         viewer.wait(lambda seen: seen["imageSize"] == first and seen["settled"] and seen["frames"] > frames)
+        viewer.end()
+
+    def test_minimised(self):
+        window.start_window_manager(self)
+        viewer = Viewer(self, state(BACKEND, texelSize=4, followWindow=True))
+        before = viewer.wait(lambda seen: seen["settled"])
+        viewer.xdotool("windowminimize", "--sync", viewer.window)
+        time.sleep(1)
+        seen = viewer.seen()
+        self.assertEqual((seen["imageSize"], seen["error"]), (before["imageSize"], ""))
+        viewer.xdotool("windowmap", "--sync", viewer.window)
+        viewer.xdotool("windowfocus", "--sync", viewer.window)
+        viewer.key("shift+t")
+        viewer.wait(lambda seen: seen["state"]["options"].get("--technique") == "sbaa" and seen["settled"])
         viewer.end()
 
     def test_a_missing_file(self):

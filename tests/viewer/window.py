@@ -129,6 +129,16 @@ class Viewer:
         return json.loads(self.saved.read_text())
 
 
+def start_window_manager(case):
+    """Starts a window manager, without which windows cannot be minimised, for a test."""
+    if not shutil.which("twm"):
+        case.skipTest("twm is not installed")
+    settings = case.write("twmrc", "RandomPlacement\nNoTitle\nBorderWidth 0\n")
+    manager = subprocess.Popen(["twm", "-f", settings], stderr=subprocess.DEVNULL)
+    case.addCleanup(manager.wait)
+    case.addCleanup(manager.terminate)
+
+
 def start_display():
     """Starts a virtual display for this process and its children, and returns its process."""
     reading, writing = os.pipe()
