@@ -130,6 +130,7 @@ void ViewResources::createMappedBuffer(const Resource& resource, GpuResource& ou
     const std::vector<std::byte> zeros(resource.bytes);
     gl.NamedBufferStorage(buffer, GLsizeiptr(resource.bytes), zeros.data(), access);
     context_.label(GL_BUFFER, buffer, "agaa " + resource.name);
+    context_.checkErrors(("allocating " + resource.name).c_str());
     out.mapped = static_cast<const std::byte*>(gl.MapNamedBufferRange(buffer, 0, GLsizeiptr(resource.bytes), access));
     require(out.mapped, AGAA_ERROR_DEVICE, "glMapNamedBufferRange failed.");
 }
